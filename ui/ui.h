@@ -20,6 +20,7 @@
 #include "ui/inspector/inspector_state.h"
 #include "ui/inspector/lab_state.h"
 #include "ui/inspector/ladder_state.h"
+#include "ui/inspector/code_state.h"
 #include "ui/inspector/mine_state.h"
 #include "ui/lesson/lesson_state.h"
 #include "ui/sheets/sheets_state.h"
@@ -54,6 +55,7 @@ struct Ui {
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
     std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens
     CanvasState canvas;
+    CodeLook code;
     CompareLook compare;
     InspectorState inspector;
     LabLook lab;

@@ -42,6 +42,7 @@ struct CommandLine {
     RowsOptions rows;
     TriangleOptions triangle;
     PixelOptions pixel;
+    CodeOptions code_walk;
     CompareOptions compare;
     DiagnoseOptions diagnose;
     MineOptions mine;
@@ -144,6 +145,14 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                    "Add each number of the fragment that stays with its formula");
     add_json(pixel, line.pixel.json);
     add_view_options(pixel, line.pixel.view);
+
+    CLI::App& code = add_command(line, "code", "Show the line of the lab's code at a moment",
+                                 [&] { code_command(line.code_walk, out); });
+    code.add_option("--lines", line.code_walk.lines, "So many lines after the moment began")
+        ->check(CLI::Range(0, 1'000'000))
+        ->type_name("N");
+    add_json(code, line.code_walk.json);
+    add_view_options(code, line.code_walk.view);
 
     CLI::App& compare =
         add_command(line, "compare", "Show how two runs differ, and where they first diverge",

@@ -56,6 +56,13 @@ struct PixelOptions {
 };
 void pixel_command(const PixelOptions& options, std::ostream& out);
 
+struct CodeOptions {
+    ViewOptions view;
+    int lines = 0; ///< after the moment began
+    bool json = false;
+};
+void code_command(const CodeOptions& options, std::ostream& out);
+
 struct SettingsOptions {
     ViewOptions view;
     bool json = false;

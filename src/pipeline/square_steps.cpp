@@ -19,9 +19,10 @@ int enclosing_square(const WarnockSquares& squares, int square, int depth) {
 
 int next_square(const WarnockSquares& squares, int square, Granularity step) {
     const int depth = squares[square].depth;
-    if (step == Granularity::moment || depth < quarter_depth) return square + 1;
+    if (in_time(step) == Granularity::moment || depth < quarter_depth) return square + 1;
     switch (step) {
     case Granularity::moment:
+    case Granularity::code:
     case Granularity::line:
         break;
     case Granularity::phase:
@@ -37,11 +38,12 @@ int next_square(const WarnockSquares& squares, int square, Granularity step) {
 int previous_square(const WarnockSquares& squares, int square, Granularity step) {
     if (square <= 0) return 0;
     const int before = square - 1;
-    if (step == Granularity::moment || squares[before].depth < quarter_depth) return before;
+    if (in_time(step) == Granularity::moment || squares[before].depth < quarter_depth) return before;
     const bool is_end = square >= squares.count();
     const int depth = is_end ? quarter_depth : squares[square].depth;
     switch (step) {
     case Granularity::moment:
+    case Granularity::code:
         break;
     case Granularity::line:
         // A part of the same depth ends here, or the square before is the one it is a part of.

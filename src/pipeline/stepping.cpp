@@ -23,7 +23,7 @@ StepRange step_in_phase(const PhaseInfo& info, const PhaseMoments& phase, int or
 /// @returns the number of the moment; the triangle's count if it is not far enough
 int advance_within(const TriangleMoments& moments, int ordinal, std::int64_t& steps,
                    Granularity step) {
-    if (step == Granularity::moment) {
+    if (in_time(step) == Granularity::moment) {
         const std::int64_t taken = std::min<std::int64_t>(steps, moments.count - ordinal);
         steps -= taken;
         return ordinal + static_cast<int>(taken);
@@ -63,7 +63,7 @@ std::vector<int> walked_triangles(const Frame& frame) {
 Cursor advance_squares(const WarnockSquares& squares, const Cursor& from, std::int64_t steps,
                        Granularity step) {
     int square = from.square;
-    if (step == Granularity::moment)
+    if (in_time(step) == Granularity::moment)
         return cursor_at_square(
             squares, static_cast<int>(std::min<std::int64_t>(square + steps, squares.count())));
     for (; steps > 0 && square < squares.count(); --steps)
@@ -96,7 +96,7 @@ FrameLength length_of(const WarnockSquares& squares) {
 }
 
 int step_count(const TriangleMoments& moments, Granularity step) {
-    if (step == Granularity::moment) return moments.count;
+    if (in_time(step) == Granularity::moment) return moments.count;
     int count = 0;
     for (int ordinal = 0; ordinal < moments.count; ++count)
         ordinal = step_around(moments, ordinal, step).end;
@@ -106,7 +106,7 @@ int step_count(const TriangleMoments& moments, Granularity step) {
 } // namespace
 
 StepRange step_around(const TriangleMoments& moments, int ordinal, Granularity step) {
-    if (step == Granularity::moment) return {ordinal, ordinal + 1};
+    if (in_time(step) == Granularity::moment) return {ordinal, ordinal + 1};
     if (step == Granularity::triangle) return {0, moments.count};
     int before = 0;
     for (const PhaseInfo& info : phase_list) {

@@ -94,6 +94,7 @@ bool has_steps(Phase phase) {
 Cursor piece_begin(Cursor cursor, Granularity step) {
     switch (step) {
     case Granularity::moment:
+    case Granularity::code:
         break;
     case Granularity::line:
         if (!has_steps(cursor.phase)) cursor.index = 0;
@@ -112,6 +113,7 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
 Cursor end_of_piece(Cursor cursor, Granularity step) {
     switch (step) {
     case Granularity::moment:
+    case Granularity::code:
         ++(has_steps(cursor.phase) ? cursor.step : cursor.index);
         break;
     case Granularity::line:

@@ -35,7 +35,13 @@ enum class Granularity : std::uint8_t {
     line,     ///< one edge or row (the pieces of a phase without steps are one line)
     triangle, ///< one triangle
     phase,    ///< from vertices to edges to rows to the next triangle
+    code,     ///< a line of the code that does it, see lab_code/code_walk.h; in time, a moment
 };
+
+/// The size of a step in time alone.
+constexpr Granularity in_time(Granularity step) {
+    return step == Granularity::code ? Granularity::moment : step;
+}
 
 /// The moments of one phase of a triangle.
 struct PhaseMoments {

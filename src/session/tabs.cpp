@@ -71,6 +71,10 @@ constexpr std::array tabs{
     TabInfo{"speed", "Speed",
             "The same picture drawn faster, one change at a time, measured on this machine.",
             TabGroup::runs, true},
+    TabInfo{code_tab, "Code",
+            "The lab's own functions in C++, walked line by line, with the value that each line "
+            "has just computed.",
+            TabGroup::code},
 };
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {

@@ -20,7 +20,7 @@ struct Session;
 struct Settings;
 
 /// What the tabs of the inspector are about.
-enum class TabGroup : std::uint8_t { triangle, pixel, runs };
+enum class TabGroup : std::uint8_t { triangle, pixel, runs, code };
 
 inline constexpr std::size_t tab_group_count = enum_words<TabGroup>.size();
 
@@ -55,6 +55,9 @@ const TabInfo* find_tab(std::string_view name);
 
 /// The settings cover the inspector instead of being one of its tabs, but have a name like a tab.
 inline constexpr std::string_view settings_tab = "settings";
+
+/// The tab of the lab's code.
+inline constexpr std::string_view code_tab = "code";
 
 /// The tab of the ways to remove hidden surfaces.
 inline constexpr std::string_view hidden_tab = "hidden";

@@ -22,6 +22,7 @@ constexpr Granularity all_granularities[] = {Granularity::moment, Granularity::l
 bool same_piece(const Cursor& a, const Cursor& b, Granularity step) {
     switch (step) {
     case Granularity::moment:
+    case Granularity::code:
         return a == b;
     case Granularity::line:
         return a.triangle == b.triangle && a.phase == b.phase &&

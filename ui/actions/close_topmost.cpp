@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include "ui/actions/code.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/measure.h"
@@ -36,6 +37,8 @@ void close_topmost(Ui& ui) {
         give_up_diagnosis(ui);
     } else if (is_checking_program(ui)) {
         stop_program_check(ui);
+    } else if (is_code_running(ui)) {
+        stop_code(ui);
     } else if (is_measuring(ui)) {
         stop_measuring(ui);
     } else if (is_settings_open(ui)) {

@@ -1,5 +1,6 @@
 #include "session/walk.h"
 #include "ui/actions/action_menus.h"
+#include "ui/actions/code.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 
@@ -45,7 +46,13 @@ std::vector<Action> walk_actions() {
          "Step back",
          "Goes back one piece of the chosen size.",
          {key::comma},
-         [](Ui& ui) { step_back(ui.session, timeline_of(ui), ui.session.play.granularity); }},
+         [](Ui& ui) {
+             if (steps_code(ui)) {
+                 step_code_back(ui);
+             } else {
+                 step_back(ui.session, timeline_of(ui), ui.session.play.granularity);
+             }
+         }},
         {"walk.play",
          "Walk",
          "Play or pause",
@@ -58,7 +65,13 @@ std::vector<Action> walk_actions() {
          "Step",
          "Draws the next piece of the chosen size.",
          {key::period},
-         [](Ui& ui) { step_forward(ui.session, timeline_of(ui), ui.session.play.granularity); }},
+         [](Ui& ui) {
+             if (steps_code(ui)) {
+                 step_code(ui, CodeGoal::line);
+             } else {
+                 step_forward(ui.session, timeline_of(ui), ui.session.play.granularity);
+             }
+         }},
         {"walk.last",
          "Walk",
          "To the end",

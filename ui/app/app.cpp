@@ -6,6 +6,7 @@
 #include "session/shown_pass.h"
 #include "session/walk.h"
 #include "ui/actions/actions.h"
+#include "ui/actions/code.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
@@ -220,7 +221,8 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] { handle_keys(ui); }); // uses the widgets' places in the frame on screen
     ui.widgets.clear();
     guarded(ui, [&] {
-        advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
+        if (!play_code(ui, seconds))
+            advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
         mirror_changes_to_b(ui.session);
         leave_missing_pass(ui.session);
         leave_compare_tab(ui.session);
@@ -230,6 +232,7 @@ bool build_pass(Ui& ui, float seconds) {
     if (is_blinking(ui)) advance_blinking(ui, seconds);
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
+    if (is_known) guarded(ui, [&] { follow_code(ui); });
     ui.follow_cursor = ui.results.a.cursor != before;
     if (is_known && !ui.start.is_open && is_still(ui)) guarded(ui, [&] { tick_off_tasks(ui); });
     const SessionInputs& inputs = ui.session;

@@ -79,24 +79,25 @@ struct StepChoice {
     const char* help;
 };
 
-std::array<StepChoice, 4> step_choices(const Ui& ui) {
+std::vector<StepChoice> step_choices(const Ui& ui) {
     if (ui.results.a.frame.squares != nullptr) {
-        return {{{Granularity::moment, "square", "A step is one square, divided or not."},
-                 {Granularity::line, "parts", "A step is a square with all its parts."},
-                 {Granularity::triangle, "quarter", "A step is a quarter of the picture."},
-                 {Granularity::phase, "outer",
-                  "A step is all that is left of the square that this one is a part of."}}};
+        return {{Granularity::moment, "square", "A step is one square, divided or not."},
+                {Granularity::line, "parts", "A step is a square with all its parts."},
+                {Granularity::triangle, "quarter", "A step is a quarter of the picture."},
+                {Granularity::phase, "outer",
+                 "A step is all that is left of the square that this one is a part of."}};
     }
     const bool fragments = has_fragments(ui.session.a.settings.stage);
-    return {{{Granularity::moment, fragments ? "fragment" : "sample",
-              "A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
-              "edge sample, one fragment."},
-             {Granularity::line, fragments ? "row" : "edge",
-              "A step is one clipping plane, one edge or one row."},
-             {Granularity::triangle, "triangle", "A step is one triangle."},
-             {Granularity::phase, "phase",
-              "A step is one phase of a triangle: its vertices, clipping, culling, its edges, its "
-              "rows."}}};
+    return {{Granularity::code, "line", "A step is one line of the lab's code, in the Code tab."},
+            {Granularity::moment, fragments ? "fragment" : "sample",
+             "A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
+             "edge sample, one fragment."},
+            {Granularity::line, fragments ? "row" : "edge",
+             "A step is one clipping plane, one edge or one row."},
+            {Granularity::triangle, "triangle", "A step is one triangle."},
+            {Granularity::phase, "phase",
+             "A step is one phase of a triangle: its vertices, clipping, culling, its edges, its "
+             "rows."}};
 }
 
 /// How the groups of the transport are arranged: buttons, size of a step, dial, time lines.
@@ -178,9 +179,12 @@ std::string step_name(const StepChoice& choice) {
 void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (size.y - ImGui::GetFrameHeight())});
     ImGui::SetNextItemWidth(size.x);
-    const auto choices = step_choices(ui);
-    const auto now = static_cast<std::size_t>(ui.session.play.granularity);
-    const bool open = ImGui::BeginCombo("##step", choices[now].name);
+    const std::vector<StepChoice> choices = step_choices(ui);
+    const auto now = std::find_if(choices.begin(), choices.end(), [&](const StepChoice& one) {
+        return one.granularity == ui.session.play.granularity;
+    });
+    const bool open =
+        ImGui::BeginCombo("##step", (now == choices.end() ? choices.front() : *now).name);
     register_widget(ui, "step.list", "The size of a step.");
     if (!open) return;
     for (const StepChoice& choice : choices) {

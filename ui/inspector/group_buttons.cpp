@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ui/actions/open_tab.h"
+#include "ui/inspector/code_parts.h"
 #include "ui/inspector/inspector_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
@@ -29,8 +30,9 @@ constexpr std::array group_help{
     "The picked pixel: the fragment on it, everything that fell on it, and values along its row.",
     "The run shown, a second one next to it, the mistakes that rasterizers make, and what makes "
     "them fast.",
+    "The lab's functions in C++, line by line, with the values of this moment.",
 };
-constexpr std::array group_titles{"Triangle", "Pixel", "Runs"};
+constexpr std::array group_titles{"Triangle", "Pixel", "Runs", "Code"};
 static_assert(group_help.size() == tab_group_count && group_titles.size() == tab_group_count);
 
 std::string subject_of_runs(const Session& session) {
@@ -46,6 +48,8 @@ void fill_subject(const Ui& ui, TabGroup group, GroupButton& button) {
     button.has_subject = true;
     if (group == TabGroup::runs) {
         button.subject = subject_of_runs(ui.session);
+    } else if (group == TabGroup::code) {
+        button.subject = code_subject(ui);
     } else if (group == TabGroup::triangle && triangle) {
         button.subject = "triangles[" + std::to_string(*triangle) + "]";
     } else if (group == TabGroup::pixel && pixel) {

@@ -20,14 +20,14 @@ struct TabPage {
 };
 
 constexpr TabPage pages[] = {
-    {"vertices", draw_vertices_panel},   {"clip", draw_clip_panel},
-    {"rows", draw_rows_panel},           {"microscope", draw_microscope_panel},
-    {"fragment", draw_fragment_panel},   {"texture", draw_texture_panel},
-    {"hidden", draw_hidden_panel},       {"file", draw_file_panel},
-    {"history", draw_history_panel},     {"graph", draw_graph_panel},
-    {"compare", draw_compare_panel},     {"lab", draw_lab_panel},
-    {"mine", draw_mine_panel},           {"speed", draw_speed_panel},
-    {settings_tab, draw_settings_sheet},
+    {"vertices", draw_vertices_panel}, {"clip", draw_clip_panel},
+    {"rows", draw_rows_panel},         {"microscope", draw_microscope_panel},
+    {"fragment", draw_fragment_panel}, {"texture", draw_texture_panel},
+    {"hidden", draw_hidden_panel},     {"file", draw_file_panel},
+    {"history", draw_history_panel},   {"graph", draw_graph_panel},
+    {"compare", draw_compare_panel},   {"lab", draw_lab_panel},
+    {"mine", draw_mine_panel},         {"speed", draw_speed_panel},
+    {"code", draw_code_panel},         {settings_tab, draw_settings_sheet},
 };
 
 /// A page below this size has little room, design pixels.

@@ -32,6 +32,7 @@ void draw_history_panel(Ui& ui);
 void draw_compare_panel(Ui& ui);
 void draw_lab_panel(Ui& ui);
 void draw_mine_panel(Ui& ui);
+void draw_code_panel(Ui& ui);
 void draw_speed_panel(Ui& ui);
 /// In a bench scene: its examples, and fields for its vertices. Otherwise nothing.
 void draw_bench_examples(Ui& ui);

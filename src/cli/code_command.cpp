@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "lab_code/code_walk.h"
+#include "pipeline/draw.h"
+#include "session/content.h"
+#include "session/shown_pass.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A function that is being carried out, and where.
+struct CodeSpot {
+    std::string function, file;
+    int line = 0; ///< of the file, with only the lines that the settings choose
+    std::string text, usual;
+    std::vector<CodeShown> variables;
+};
+
+CodeSpot spot_of(const LabCode& code, const CodeWalk& walk, const CodeCall& call) {
+    const CodeMachine& machine = walk.machine();
+    const FileLines file = file_around(walk.lines(), call.line);
+    const ChosenLine& line = walk.lines()[static_cast<std::size_t>(call.line - 1)];
+    return {machine.program().functions[static_cast<std::size_t>(call.function)].name,
+            code.files[static_cast<std::size_t>(file.file)].name,
+            call.line - file.first + 1,
+            std::string(shown_words(line.text)),
+            std::string(shown_words(line.usual)),
+            machine.variables(call)};
+}
+
+std::string without_indent(const std::string& text) {
+    return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+Json to_json(const CodeSpot& spot) {
+    Json values = Json::object();
+    for (const CodeShown& variable : spot.variables)
+        values[variable.name] = variable.value;
+    Json object{{"file", spot.file},
+                {"function", spot.function},
+                {"line", spot.line},
+                {"text", without_indent(spot.text)}};
+    if (!spot.usual.empty()) object["usual"] = without_indent(spot.usual);
+    object["values"] = std::move(values);
+    return object;
+}
+
+void print_spots(const std::vector<CodeSpot>& spots, std::ostream& out) {
+    for (const CodeSpot& spot : spots) {
+        out << fmt::format("{} at {}:{}\n    {}\n", spot.function, spot.file, spot.line,
+                           without_indent(spot.text));
+        if (!spot.usual.empty()) out << fmt::format("    right: {}\n", without_indent(spot.usual));
+    }
+    if (spots.empty()) return;
+    out << "\n";
+    for (const CodeShown& variable : spots.front().variables)
+        out << fmt::format("{} = {}\n", variable.name, variable.value);
+}
+
+} // namespace
+
+void code_command(const CodeOptions& options, std::ostream& out) {
+    const Session session = open_view(options.view);
+    const Frame frame = shown_frame(session);
+    const LabCode code = read_lab_code(lessons_folder() + "/code");
+    CodeWalk walk;
+    walk.take(code, frame, 1);
+    if (!walk.missing().empty())
+        throw UsageError(fmt::format(
+            "the lab's code is not written out for this picture: it has no lines for {}.",
+            walk.missing()));
+    const Timeline timeline(frame);
+    const Cursor moment = timeline.at_or_after(in_frame(session.cursor, frame.pass));
+    Framebuffer planes;
+    clear(planes, frame);
+    DrawWindow before;
+    before.to = moment;
+    draw(frame, before, planes);
+    const CodePlace place = walk.seek({moment, options.lines}, planes);
+    std::vector<CodeCall> calls = walk.machine().calls();
+    std::reverse(calls.begin(), calls.end());
+    std::vector<CodeSpot> spots;
+    for (const CodeCall& call : calls)
+        spots.push_back(spot_of(code, walk, call));
+    if (!options.json) {
+        out << moment_text(frame, place.cursor)
+            << (place.lines > 0 ? ", " + counted(place.lines, "line", "lines") + " on"
+                                : std::string())
+            << ": " << (spots.empty() ? "every triangle is drawn." : "this line comes next.")
+            << "\n";
+        print_spots(spots, out);
+        return;
+    }
+    Json answer{{"calls", Json::array()},
+                {"cursor", moment_text(frame, place.cursor)},
+                {"lines", place.lines}};
+    for (const CodeSpot& spot : spots)
+        answer["calls"].push_back(to_json(spot));
+    print_json(answer, out);
+}
+
+} // namespace rasterwalk

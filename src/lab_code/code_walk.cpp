@@ -1,0 +1,240 @@
+#include "lab_code/code_walk.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "lab_code/code_frame.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Where the lines of a moment are looked for: no moment has more.
+constexpr std::int64_t most_lines_of_moment = 20'000'000;
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+constexpr int nothing_skipped = std::numeric_limits<int>::min();
+
+CodeArrival arrival_at(CodeEnd end) {
+    switch (end) {
+    case CodeEnd::paused:
+        return CodeArrival::arrived;
+    case CodeEnd::too_long:
+        return CodeArrival::on_the_way;
+    case CodeEnd::failed:
+        return CodeArrival::failed;
+    case CodeEnd::done:
+        break;
+    }
+    return CodeArrival::ended;
+}
+
+bool has_same_text(const std::vector<ChosenLine>& a, const std::vector<ChosenLine>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& x, const auto& y) { return x.text == y.text; });
+}
+
+} // namespace
+
+std::size_t CodeWalk::mark_named(std::string_view name) const {
+    const std::vector<std::string>& marks = program_->marks;
+    return static_cast<std::size_t>(std::find(marks.begin(), marks.end(), name) - marks.begin());
+}
+
+std::shared_ptr<const CodeProgram>
+CodeWalk::compiled(const std::vector<ChosenLine>& lines, Viewport picture,
+                   const std::vector<LineCondition>& conditions) {
+    std::vector<CodeStop> stops;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (const LineCondition& condition : conditions) {
+            if (condition.file == lines[i].file && condition.line == lines[i].line)
+                stops.push_back({static_cast<int>(i) + 1, condition.text});
+        }
+    }
+    auto program = std::make_shared<const CodeProgram>(
+        compile_code(source_text(lines, picture), "the lab's code", stops));
+    const auto has_mark = [&](std::string_view name) {
+        const std::vector<std::string>& marks = program->marks;
+        return std::find(marks.begin(), marks.end(), name) != marks.end();
+    };
+    if (program->find_function("Draw") < 0 || !has_mark("triangle") || !has_mark("vertex"))
+        throw InputError("the lab's code has no function Draw, or no marks for its triangles and "
+                         "vertices.");
+    return program;
+}
+
+void CodeWalk::take(const LabCode& code, const Frame& frame, std::uint64_t number,
+                    const std::vector<LineCondition>& conditions) {
+    if (has(frame, number) && conditions_ == conditions) return;
+    std::string missing = missing_code(code, frame);
+    std::vector<ChosenLine> lines;
+    if (missing.empty()) lines = lines_for(code, frame);
+    const Viewport picture = frame.settings.viewport;
+    const bool is_known = machine_ != nullptr && picture == picture_ && conditions_ == conditions &&
+                          has_same_text(lines, lines_);
+    // Nothing has changed until the program is there.
+    if (missing.empty() && !is_known) {
+        program_ = compiled(lines, picture, conditions);
+        make_machine();
+    }
+    if (!missing.empty()) machine_ = nullptr;
+    missing_ = std::move(missing);
+    lines_ = std::move(lines);
+    conditions_ = conditions;
+    picture_ = picture;
+    frame_ = &frame;
+    number_ = number;
+    is_there_ = false;
+    if (machine_ != nullptr) give_frame(*machine_, frame);
+}
+
+void CodeWalk::make_machine() {
+    machine_ = std::make_unique<CodeMachine>(program_);
+    machine_->begin();
+    triangle_ = mark_named("triangle");
+    vertex_ = mark_named("vertex");
+    cull_ = mark_named("cull");
+    edge_ = mark_named("edge");
+    sample_ = mark_named("sample");
+    box_row_ = mark_named("boxrow");
+    test_ = mark_named("test");
+    row_ = mark_named("row");
+    fragment_ = mark_named("fragment");
+    machine_->pause_when([this](std::size_t mark, std::span<const int> marks) {
+        const std::optional<Cursor> moment = moment_of(mark, marks);
+        if (!moment) return false;
+        begun_ = moment;
+        begun_at_ = machine_->lines();
+        return wanted_ == moment;
+    });
+}
+
+/// The moment that begins with the line that gives a mark its value; none if it begins none.
+std::optional<Cursor> CodeWalk::moment_of(std::size_t mark, std::span<const int> marks) const {
+    const int triangle = marks[triangle_];
+    if (mark == vertex_ && frame_->has_moments(triangle))
+        return Cursor{triangle, Phase::vertices, marks[vertex_], 0};
+    if (mark == cull_ && frame_->is_cull_tested(triangle))
+        return Cursor{triangle, Phase::cull, 0, 0};
+    if (mark == sample_) return Cursor{triangle, Phase::edges, marks[edge_], marks[sample_]};
+    // A pixel outside the picture is tested without a moment.
+    if (mark == test_ && marks[test_] >= 0)
+        return Cursor{triangle, Phase::tests, marks[box_row_], marks[test_]};
+    if (mark == fragment_) return Cursor{triangle, Phase::rows, marks[row_], marks[fragment_]};
+    if (mark == row_ && !has_fragments(frame_->settings.stage))
+        return Cursor{triangle, Phase::rows, marks[row_], 0};
+    return std::nullopt;
+}
+
+/// Begins to draw at the triangle of the moment, and leaves out its rows before that of the moment:
+/// what they draw is in the picture.
+void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
+    give_planes(*machine_, planes);
+    machine_->call(program_->find_function("Draw"));
+    machine_->allow(machine_->lines() + most_lines_of_moment);
+    machine_->pause_before(0);
+    machine_->pause_outside(0);
+    machine_->skip_to(triangle_, cursor.triangle);
+    const bool is_in_rows = cursor.phase == Phase::rows && row_ < program_->marks.size();
+    if (is_in_rows) machine_->skip_to(row_, cursor.index);
+    begun_ = std::nullopt;
+    is_over_ = false;
+    const CodeArrival arrival = run_until(cursor);
+    // Earlier fragments of the row were drawn once more.
+    give_planes(*machine_, planes);
+    if (row_ < program_->marks.size()) machine_->skip_to(row_, nothing_skipped);
+    is_over_ = arrival == CodeArrival::ended;
+    is_there_ = arrival == CodeArrival::arrived || is_over_;
+}
+
+/// Runs to a moment's first line, passing over conditions of lines.
+CodeArrival CodeWalk::run_until(const Cursor& moment) {
+    wanted_ = moment;
+    CodeEnd end = machine_->run();
+    while (end == CodeEnd::paused && begun_ != moment)
+        end = machine_->run();
+    wanted_ = std::nullopt;
+    return arrival_at(end);
+}
+
+/// How many lines the moment has at whose beginning the machine is. It is moved on.
+int CodeWalk::lines_of_moment() {
+    const std::int64_t first = machine_->lines();
+    const Cursor moment = place_.cursor;
+    const Timeline timeline(*frame_);
+    const Cursor next = timeline.next(moment, Granularity::moment);
+    machine_->allow(first + most_lines_of_moment);
+    // The last moment ends with the program.
+    run_until(next);
+    return static_cast<int>(machine_->lines() - first);
+}
+
+CodePlace CodeWalk::seek(const CodePlace& place, const Framebuffer& planes) {
+    if (is_there_ && place == place_) return place_;
+    place_ = place;
+    place_.lines = 0;
+    if (place.cursor == cursor_end) {
+        const Cursor after_all = beginning_of(frame_->triangle_count());
+        begin_at(after_all, planes);
+        return place_;
+    }
+    begin_at(place.cursor, planes);
+    int lines = place.lines;
+    if (!is_there_) return place_;
+    if (lines < 0) {
+        lines = std::max(lines_of_moment() - 1, 0);
+        begin_at(place.cursor, planes);
+    }
+    for (int i = 0; i < lines && !is_over_; ++i) {
+        const std::optional<Cursor> before = begun_;
+        is_over_ = machine_->step_line() != CodeEnd::paused;
+        if (is_over_ || begun_ != before) {
+            // That was the last line.
+            begin_at(place.cursor, planes);
+            for (int again = 0; again < i; ++again)
+                machine_->step_line();
+            lines = i;
+            break;
+        }
+        place_.lines = i + 1;
+    }
+    place_.lines = lines;
+    return place_;
+}
+
+/// The place at which the machine is.
+void CodeWalk::settle() {
+    if (is_over_) {
+        place_ = {cursor_end, 0};
+    } else if (begun_) {
+        place_ = {*begun_, static_cast<int>(machine_->lines() - begun_at_)};
+    }
+}
+
+void CodeWalk::set_out(CodeGoal goal, int line) {
+    const std::size_t depth = machine_->calls().size();
+    goal_ = goal;
+    goal_line_ = goal == CodeGoal::meeting ? line : 0;
+    goal_calls_ = goal == CodeGoal::over               ? depth
+                  : goal == CodeGoal::out && depth > 0 ? depth - 1
+                                                       : 0;
+}
+
+CodeArrival CodeWalk::go_on(std::int64_t most_lines) {
+    if (is_over_) return CodeArrival::ended;
+    if (!is_there_) return CodeArrival::failed;
+    machine_->pause_before(goal_line_);
+    machine_->pause_outside(goal_calls_);
+    machine_->allow(machine_->lines() + most_lines);
+    const CodeEnd end = goal_ == CodeGoal::line ? machine_->step_line() : machine_->run();
+    machine_->pause_before(0);
+    machine_->pause_outside(0);
+    machine_->allow(no_limit);
+    is_over_ = end == CodeEnd::done;
+    is_there_ = end != CodeEnd::failed;
+    if (is_there_) settle();
+    return arrival_at(end);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,172 @@
+// The same files, translated by the compiler: a student who copies them gets the picture that the
+// window shows, to the last bit.
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "pipeline/draw.h"
+#include "support/samples.h"
+#include "tests/support/catch.h"
+
+// A student's compiler is not as strict as ours.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
+// clang-format off
+#define depth_clear_0 1
+#define fill_rule_inclusive 1
+
+#define stage_rows 1
+namespace rasterwalk::test::compiled_rows {
+using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
+using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_rows
+#undef stage_rows
+
+#define stage_vertex_light 1
+namespace rasterwalk::test::compiled_vertex_light {
+using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
+using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_vertex_light
+#undef stage_vertex_light
+
+#define stage_pixel_light 1
+#define coverage_edge_functions 1
+namespace rasterwalk::test::compiled_edge_functions {
+using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
+using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_edge_functions
+#undef coverage_edge_functions
+
+#define line_bresenham 1
+#define interpolation_affine 1
+namespace rasterwalk::test::compiled_bresenham {
+using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
+using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_bresenham
+#undef line_bresenham
+#undef interpolation_affine
+#undef stage_pixel_light
+#undef fill_rule_inclusive
+#undef depth_clear_0
+// clang-format on
+
+#pragma GCC diagnostic pop
+
+namespace rasterwalk::test {
+
+namespace {
+
+/// The picture of the stages, and the room as the code has it.
+struct CompiledRoom {
+    Scene scene = lab_room();
+    Settings settings = default_settings(scene);
+    Framebuffer right;
+
+    explicit CompiledRoom(const char* stage) { set_step(settings, find_stage(stage)->step); }
+    void draw_right() {
+        settings.camera.yaw = 0.2f;
+        const Frame frame = prepare_frame(scene, settings);
+        right = draw_frame(frame);
+    }
+
+    template <class Triangle>
+    std::vector<Triangle> triangles() const {
+        std::vector<Triangle> list;
+        for (int t = 0; t < scene.triangle_count(); ++t) {
+            const std::array<Vertex, triangle_corners> corners = corners_of(scene, t);
+            Triangle triangle;
+            triangle.v0 = corners[0].position;
+            triangle.v1 = corners[1].position;
+            triangle.v2 = corners[2].position;
+            triangle.normal = corners[0].normal;
+            triangle.color = corners[0].reflectance;
+            list.push_back(triangle);
+        }
+        return list;
+    }
+
+    /// The first pixel with another colour; empty: none.
+    template <class Picture>
+    std::string first_wrong_pixel(const Picture& picture) const {
+        for (int y = 0; y < right.size.height; ++y) {
+            for (int x = 0; x < right.size.width; ++x) {
+                const glm::vec3& wanted = right.colour[right.at(x, y)];
+                if (std::memcmp(&picture[y][x], &wanted, sizeof wanted) != 0)
+                    return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")";
+            }
+        }
+        return {};
+    }
+};
+
+} // namespace
+
+TEST_CASE("The compiled code draws the ends of the rows as the stages do") {
+    CompiledRoom room("rows");
+    room.draw_right();
+    namespace code = compiled_rows;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code draws light per vertex as the stages do") {
+    CompiledRoom room("vertex_light");
+    room.draw_right();
+    namespace code = compiled_vertex_light;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code draws with edge functions as the stages do") {
+    CompiledRoom room("pixel_light");
+    room.settings.coverage = Coverage::edge_functions;
+    room.draw_right();
+    namespace code = compiled_edge_functions;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code draws Bresenham's lines and affine values as the stages do") {
+    CompiledRoom room("pixel_light");
+    room.settings.line = LineAlgorithm::bresenham;
+    room.settings.interpolation = Interpolation::affine;
+    room.draw_right();
+    namespace code = compiled_bresenham;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+} // namespace rasterwalk::test

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "ui/inspector/code_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr std::array keywords{
+    std::string_view("const"),   std::string_view("continue"), std::string_view("else"),
+    std::string_view("float"),   std::string_view("double"),   std::string_view("for"),
+    std::string_view("if"),      std::string_view("int"),      std::string_view("bool"),
+    std::string_view("mat3"),    std::string_view("return"),   std::string_view("struct"),
+    std::string_view("vec3"),    std::string_view("vector"),   std::string_view("void"),
+    std::string_view("while"),   std::string_view("break"),    std::string_view("Pixel"),
+    std::string_view("Vertex"),  std::string_view("Triangle"), std::string_view("vec2"),
+    std::string_view("Texture"),
+};
+
+bool is_of_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+ImVec4 ink_of(const Ui& ui, std::string_view word) {
+    const Palette& p = palette(ui.options.theme);
+    if (word == "leftPixels") return colour_of(Meaning::left_end, ui.options.theme);
+    if (word == "rightPixels") return colour_of(Meaning::right_end, ui.options.theme);
+    const bool is_keyword = std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+    return is_keyword ? p.dim : p.text;
+}
+
+} // namespace
+
+std::vector<ColouredWords> coloured_code(const Ui& ui, std::string_view line) {
+    const Palette& p = palette(ui.options.theme);
+    std::vector<ColouredWords> words;
+    const std::size_t comment = std::min(line.find("//"), line.size());
+    std::size_t at = 0;
+    while (at < comment) {
+        std::size_t end = at;
+        const bool is_word = is_of_word(line[at]);
+        while (end < comment && is_of_word(line[end]) == is_word)
+            ++end;
+        const std::string_view text = line.substr(at, end - at);
+        words.push_back({text, is_word ? ink_of(ui, text) : p.text});
+        at = end;
+    }
+    if (comment < line.size()) words.push_back({line.substr(comment), p.dim});
+    return words;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "ui/actions/code.h"
+#include "ui/inspector/code_parts.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The part of the program that is shown: a file, and the call whose values are at its lines.
+struct ShownCode {
+    std::vector<CodeCall> calls; ///< from outside to inside; empty: the program has ended
+    std::size_t call = 0;        ///< the one shown
+    int line = 0;                ///< of the program, from 1: the one that comes next in that call
+    int first = 0, last = 0;     ///< lines of the file
+    std::set<int> begun;         ///< lines of the program at which a statement begins
+};
+
+ShownCode shown_code(const CodeLook& look) {
+    ShownCode shown;
+    const std::vector<ChosenLine>& lines = look.walk.lines();
+    shown.calls = look.walk.machine().calls();
+    const CodeProgram& program = look.walk.machine().program();
+    if (shown.calls.empty()) {
+        const int draw = program.find_function("Draw");
+        shown.line = program.functions[static_cast<std::size_t>(draw)].line;
+    } else {
+        shown.call = std::min(look.call.value_or(shown.calls.size() - 1), shown.calls.size() - 1);
+        shown.line = shown.calls[shown.call].line;
+    }
+    const FileLines file = file_around(lines, shown.line);
+    shown.first = file.first;
+    shown.last = file.last;
+    for (const CodeLine& line : program.lines)
+        shown.begun.insert(line.line);
+    return shown;
+}
+
+const LineCondition* condition_of(const CodeLook& look, const ChosenLine& line) {
+    const auto found =
+        std::find_if(look.conditions.begin(), look.conditions.end(), [&](const LineCondition& one) {
+            return one.file == line.file && one.line == line.line;
+        });
+    return found == look.conditions.end() ? nullptr : &*found;
+}
+
+/// Where the parts of a line are, screen pixels.
+struct LineLayout {
+    float height = 0.0f, left = 0.0f, digits = 0.0f, code = 0.0f, right = 0.0f;
+};
+
+/// The line's number, and the dot of a condition. A click opens the condition.
+/// @param can_stop a statement begins in the line
+void draw_number(Ui& ui, const ChosenLine& line, int number, bool can_stop, const LineLayout& at,
+                 float top) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    CodeLook& look = ui.code;
+    const std::string name = fmt::format("code.number.{}", number);
+    ImGui::SetCursorScreenPos({at.left, top});
+    const ImVec2 size{at.code - at.left, at.height};
+    if (!can_stop) {
+        ImGui::Dummy(size);
+    } else if (ImGui::InvisibleButton(name.c_str(), size)) {
+        const LineCondition* const known = condition_of(look, line);
+        look.edited = known != nullptr ? *known : LineCondition{line.file, line.line, {}};
+        look.condition_fault.clear();
+    }
+    const bool hovered = can_stop && ImGui::IsItemHovered();
+    const LineCondition* const condition = condition_of(look, line);
+    if (can_stop)
+        register_widget(ui, name,
+                        condition != nullptr ? "Stops here when " + condition->text + "."
+                                             : "Click to stop at this line when something holds.");
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const std::string digits = std::to_string(number);
+    const float x = at.left + 12.0f * u + at.digits - text_width(digits);
+    list->AddText({x, top + 2.0f * u}, packed(hovered ? p.text : p.dim), digits.c_str());
+    if (condition != nullptr)
+        list->AddCircleFilled({at.left + 6.5f * u, top + 0.5f * at.height}, 3.0f * u,
+                              packed(colour_of(Meaning::current, ui.options.theme)));
+}
+
+/// The words of a line, cut off where the room ends.
+void draw_words(const Ui& ui, std::string_view text, float x, float y, float right,
+                float opacity = 1.0f) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    // Where there is little room, a line begins half as far to the right.
+    const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+    text.remove_prefix(blanks);
+    x += static_cast<float>(blanks) * text_width(" ") * (ui.inspector.is_narrow ? 0.5f : 1.0f);
+    list->PushClipRect({x, y - 2.0f}, {right, y + 2.0f * ImGui::GetTextLineHeight()}, true);
+    for (const ColouredWords& words : coloured_code(ui, text)) {
+        list->AddText({x, y}, packed(words.ink, opacity), words.text.data(),
+                      words.text.data() + words.text.size());
+        x += text_width(words.text);
+    }
+    list->PopClipRect();
+}
+
+/// A line of a mistake has the right one below it.
+void draw_usual(Ui& ui, const ChosenLine& line, int number, const LineLayout& at, float top) {
+    const float u = ui.options.text_scale;
+    const ImVec4 right = colour_of(Meaning::pass, ui.options.theme);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddText({at.left + 12.0f * u, top + 2.0f * u}, packed(right), passed_sign);
+    draw_words(ui, shown_words(line.usual), at.code, top + 2.0f * u, at.right, 0.75f);
+    ImGui::SetCursorScreenPos({at.left, top});
+    ImGui::Dummy({at.right - at.left, at.height});
+    register_widget(ui, fmt::format("code.right.{}", number), "The right line.",
+                    std::string(shown_words(line.usual)));
+}
+
+/// A line of the program and its value. Returns how many lines high it is.
+int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value,
+              const LineLayout& at, float top) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ChosenLine& chosen = ui.code.walk.lines()[static_cast<std::size_t>(line - 1)];
+    const int number = line - shown.first + 1;
+    const bool is_next = line == shown.line && !shown.calls.empty();
+    const bool is_innermost = shown.call + 1 == shown.calls.size();
+    const std::string_view text = shown_words(chosen.text);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const std::string name = fmt::format("code.line.{}", number);
+    const bool can_stop = shown.begun.count(line) > 0;
+    ImGui::SetCursorScreenPos({at.code, top});
+    const ImVec2 size{std::max(at.right - at.code, 1.0f), at.height};
+    if (!can_stop) {
+        ImGui::Dummy(size);
+    } else if (ImGui::InvisibleButton(name.c_str(), size)) {
+        run_code_to(ui, line);
+    }
+    const bool hovered = can_stop && ImGui::IsItemHovered();
+    register_widget(ui, name,
+                    is_next     ? "This line comes next."
+                    : !can_stop ? ""
+                                : "Click to run to the next time this line is reached.",
+                    std::string(text));
+    if (is_next || hovered)
+        list->AddRectFilled({at.left, top}, {at.right, top + at.height},
+                            packed(p.row_lit, is_next && is_innermost ? 1.0f : 0.55f));
+    if (is_next) draw_current_bar(ui, list, {at.left, top}, top + at.height);
+    draw_number(ui, chosen, number, can_stop, at, top);
+    const float width = value.empty() ? 0.0f : text_width(value) + 14.0f * u;
+    const float end = at.right - 8.0f * u;
+    draw_words(ui, text, at.code, top + 2.0f * u, at.right);
+    if (!value.empty()) {
+        const float room = at.right - at.code;
+        const std::string fitting = shortened(value, 0.6f * room);
+        const float wide = std::min(width, text_width(fitting) + 14.0f * u);
+        // Over the end of a line that is too long for both.
+        const ImVec4& ground = is_next ? p.row_lit : p.card;
+        list->AddRectFilled({end - wide, top}, {at.right, top + at.height}, packed(ground));
+        // Lines that come again have the values of the previous iteration.
+        const bool is_old = line >= shown.line && !shown.calls.empty();
+        list->AddText({end - text_width(fitting), top + 2.0f * u}, packed(is_old ? p.dim : p.link),
+                      fitting.c_str());
+        register_text(ui, name, value);
+    }
+    if (chosen.usual.empty()) return 1;
+    list->AddRectFilled({at.left, top}, {at.left + 3.0f * u, top + at.height},
+                        packed(colour_of(Meaning::fail, ui.options.theme)));
+    draw_usual(ui, chosen, number, at, top + at.height);
+    return 2;
+}
+
+} // namespace
+
+std::string code_place_text(const Ui& ui) {
+    const CodeLook& look = ui.code;
+    if (!look.is_ready || !look.code) return {};
+    const ShownCode shown = shown_code(look);
+    const auto file =
+        static_cast<std::size_t>(look.walk.lines()[static_cast<std::size_t>(shown.line - 1)].file);
+    return fmt::format("{}:{}", look.code->files[file].name, shown.line - shown.first + 1);
+}
+
+void draw_code_lines(Ui& ui, float height) {
+    CodeLook& look = ui.code;
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const ShownCode shown = shown_code(look);
+    std::map<int, std::string> values;
+    if (!shown.calls.empty()) {
+        for (CodeLineValue& value : look.walk.machine().line_values(shown.calls[shown.call]))
+            values[value.line] = std::move(value.text);
+    }
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, p.card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 4.0f * u});
+    ImGui::BeginChild("code.lines", {0.0f, height}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav);
+    ImGui::PushFont(ui.fonts.mono_small);
+    LineLayout at;
+    at.height = std::round(ImGui::GetTextLineHeight() + 5.0f * u);
+    at.left = ImGui::GetCursorScreenPos().x;
+    at.right = at.left + ImGui::GetContentRegionAvail().x;
+    at.digits = text_width(std::to_string(shown.last - shown.first + 1));
+    at.code = at.left + 24.0f * u + at.digits;
+    const float begin = ImGui::GetCursorScreenPos().y;
+    int rows = 0, row_of_next = 0;
+    for (int line = shown.first; line <= shown.last; ++line) {
+        const auto value = values.find(line);
+        if (line == shown.line) row_of_next = rows;
+        rows += draw_line(ui, shown, line, value == values.end() ? std::string() : value->second,
+                          at, begin + static_cast<float>(rows) * at.height);
+    }
+    ImGui::SetCursorScreenPos({at.left, begin + static_cast<float>(rows) * at.height});
+    ImGui::Dummy({1.0f, 1.0f});
+    // The line that comes next is always in sight.
+    if (look.scrolled_to != shown.line || look.scrolled_in != height) {
+        look.scrolled_to = shown.line;
+        look.scrolled_in = height;
+        const float y = static_cast<float>(row_of_next) * at.height;
+        const float top = ImGui::GetScrollY(), room = height - 2.0f * at.height;
+        if (y < top || y > top + room) ImGui::SetScrollY(std::max(y - 0.4f * room, 0.0f));
+    }
+    ImGui::PopFont();
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+} // namespace rasterwalk
