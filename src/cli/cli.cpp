@@ -245,11 +245,15 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         "--luck", line.check.luck,
         "Also try each task of the lessons at random and print how often it is solved "
         "by luck");
+    CLI::Option* const advice = check.add_flag(
+        "--advice", line.check.advice,
+        "Also give advice on the length of lessons and on words that are not explained");
     check
         .add_flag("--style", line.check.style,
                   "Only look for phrases that read as if translated, in text, strings and "
                   "comments")
-        ->excludes(luck);
+        ->excludes(luck)
+        ->excludes(advice);
 
     CLI::App& facts = add_command(line, "facts", "List the names that lessons can use",
                                   [&] { facts_command(line.facts, out); });

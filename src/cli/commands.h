@@ -83,6 +83,7 @@ void bugs_command(const BugsOptions& options, std::ostream& out);
 struct CheckOptions {
     std::vector<std::string> paths; ///< folders, lessons, scenes
     bool luck = false;              ///< each task is tried at random as well
+    bool advice = false;            ///< also what may be right as it is
     bool style = false;             ///< just the English of texts, strings and comments
 };
 /// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <system_error>
 
@@ -14,8 +15,11 @@
 #include "cli/prose_files.h"
 #include "facts/facts.h"
 #include "laboratory/bug.h"
+#include "lessons/course.h"
 #include "lessons/lesson.h"
+#include "lessons/lesson_advice.h"
 #include "lessons/lesson_check.h"
+#include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
 #include "lessons/task_luck.h"
 #include "scene/read_obj.h"
@@ -43,8 +47,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
          entry.increment(fault)) {
         const std::string name = entry->path().filename().string();
-        const bool is_data =
-            name == "presets.toml" || name == "glossary.toml" || name == "bugs.toml";
+        const bool is_data = name == "presets.toml" || name == "glossary.toml" ||
+                             name == "bugs.toml" || name == "course.toml";
         const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
         const bool is_model = folder.filename() == "models" && is_model_file(name);
         if (is_lesson_name(name) || is_data || is_scene || is_model)
@@ -138,6 +142,11 @@ int check_file(const std::string& path, FileCheck& check) {
     if (name == "presets.toml") return read([&] { read_presets(path); });
     if (name == "glossary.toml") return read([&] { read_glossary(path); });
     if (name == "bugs.toml") return read([&] { read_bugs(path); });
+    if (name == "course.toml") {
+        const fs::path folder = fs::path(path).parent_path();
+        return read(
+            [&] { check_course_files(parse_course(read_file(path), path), folder.string()); });
+    }
     if (is_view_file(name)) {
         ViewOptions options;
         options.file = path;
@@ -165,6 +174,35 @@ int check_file(const std::string& path, FileCheck& check) {
         check.out << fault_text(lesson, fault) << '\n';
     const int unlucky = check.luck && faults.empty() ? check_luck(lesson, check) : 0;
     return static_cast<int>(faults.size()) + unlucky;
+}
+
+/// Prints the advice on the lessons among these files, each in the course of its folder; returns
+/// how much there is.
+int print_advice(const std::vector<std::string>& files, const Session& session, std::ostream& out) {
+    std::map<std::string, std::map<std::string, std::vector<std::string>>> of_folder;
+    int count = 0;
+    for (const std::string& file : files) {
+        if (!is_lesson_name(fs::path(file).filename().string())) continue;
+        const std::string folder = fs::absolute(file).parent_path().string();
+        const std::string id = fs::path(file).stem().string();
+        const auto [known, is_new] = of_folder.try_emplace(folder);
+        if (is_new) {
+            LessonList list;
+            list.read_folder(folder);
+            const std::vector<Lesson>& lessons = list.all();
+            const std::vector<std::vector<Fault>> advice = advice_on(lessons, session.glossary);
+            for (std::size_t i = 0; i < lessons.size(); ++i) {
+                for (const Fault& one : advice[i])
+                    known->second[lessons[i].id].push_back(
+                        fmt::format("{}: advice: {}", one.line, one.sentence));
+            }
+        }
+        for (const std::string& sentence : known->second[id]) {
+            out << file << ':' << sentence << '\n';
+            ++count;
+        }
+    }
+    return count;
 }
 
 /// The largest file whose style is checked, bytes.
@@ -212,12 +250,15 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     for (const std::string& file : files)
         faults += options.style ? check_style(file, check) : check_file(file, check);
     progress.clear();
+    const int advice = options.advice ? print_advice(files, check.session, out) : 0;
     const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {
         err << "rasterwalk: " << counted(faults, "fault", "faults") << " in " << in_files << ".\n";
         return ExitCode::difference;
     }
-    out << in_files << ", no faults.\n";
+    out << in_files << ", no faults";
+    if (options.advice) out << ", " << counted(advice, "piece", "pieces") << " of advice";
+    out << ".\n";
     return ExitCode::done;
 }
 

@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "lessons/lesson_list.h"
@@ -29,11 +30,23 @@ int shown_step_count(const LessonProgress& progress, const Lesson& lesson) {
                                           [&](int step) { return step >= 0 && step < count; }));
 }
 
+/// "The lab: 13 lessons, 2 h 59 min", and what it is about.
+void print_track(const Course& course, const Track& track, LessonList& lessons, std::ostream& out) {
+    const auto index = static_cast<std::size_t>(&track - course.tracks.data());
+    const TrackSize size = size_of_track(course, index, lessons.all());
+    out << track.title << ": " << counted(size.lessons, "lesson", "lessons") << ", "
+        << hours_text(size.minutes) << "\n    " << track.about << "\n    Needs: " << track.needs
+        << "\n\n";
+}
+
 } // namespace
 
 void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err) {
     LessonList lessons;
     const Progress progress = progress_so_far(err);
+    const Course& course = lessons.course();
+    if (!lessons.course_fault().empty()) err << "rasterwalk: " << lessons.course_fault() << '\n';
+    const Track* shown_track = nullptr;
     Json list = Json::array();
     for (const Lesson& lesson : lessons.all()) {
         const LessonProgress& own = progress.of(lesson.id);
@@ -42,7 +55,10 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
         const int tasks = static_cast<int>(lesson.tasks.size());
         const int predictions = static_cast<int>(lesson.predictions.size());
         const int seen = shown_step_count(own, lesson);
+        const Track* const track = track_of(course, lesson.id);
         if (!options.json) {
+            if (track != nullptr && track != shown_track) print_track(course, *track, lessons, out);
+            shown_track = track;
             if (const int number = missing_number(lessons.all(), list.size()))
                 out << "Lesson " << number << "\n    To come.\n";
             const bool is_begun = seen > 0 || score.done > 0;
@@ -64,6 +80,7 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
                         {"id", lesson.id},
                         {"last_step", score.last_step},
                         {"minutes", lesson.minutes},
+                        {"needs", needs_of(course, lesson.id)},
                         {"predictions", predictions},
                         {"predictions_answered", score.answered},
                         {"section", lesson.section},
@@ -71,7 +88,8 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
                         {"steps_seen", seen},
                         {"tasks", tasks},
                         {"tasks_done", score.solved},
-                        {"title", lesson.title}});
+                        {"title", lesson.title},
+                        {"track", track == nullptr ? std::string() : track->title}});
     }
     if (options.json) print_json({{"lessons", std::move(list)}}, out);
 }

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "session/content.h"
 
@@ -52,10 +54,30 @@ std::vector<LessonList::LessonFile> LessonList::files_in_folder() const {
     std::sort(files.begin(), files.end(),
               [](const LessonFile& a, const LessonFile& b) { return a.path < b.path; });
     if (files.size() > most_lessons) files.resize(most_lessons);
+    const auto order_of = [&](const LessonFile& file) {
+        return place_in(course_, fs::path(file.path).stem().string()).order;
+    };
+    std::stable_sort(files.begin(), files.end(), [&](const LessonFile& a, const LessonFile& b) {
+        return order_of(a) < order_of(b);
+    });
     return files;
 }
 
+void LessonList::refresh_course() {
+    const FileState state = file_state(course_file(folder_));
+    if (is_read_ && state == course_state_) return;
+    course_state_ = state;
+    course_fault_.clear();
+    try {
+        course_ = read_course(folder_);
+    } catch (const Error& fault) {
+        course_fault_ = fault.what();
+    }
+    ++number_;
+}
+
 void LessonList::refresh() {
+    refresh_course();
     std::vector<LessonFile> files = files_in_folder();
     if (is_read_ && files == files_) return;
     std::vector<Lesson> lessons;
@@ -82,6 +104,7 @@ void LessonList::read_folder(const std::string& folder) {
     is_read_ = false;
     files_.clear();
     lessons_.clear();
+    course_ = {};
     refresh();
 }
 
@@ -94,6 +117,11 @@ const std::vector<Lesson>& LessonList::all() {
         }
     }
     return lessons_;
+}
+
+const Course& LessonList::course() {
+    all();
+    return course_;
 }
 
 const Lesson* LessonList::find(std::string_view id) {
@@ -121,10 +149,29 @@ bool LessonList::is_edited(std::string_view id) const {
     return false;
 }
 
+TrackSize size_of_track(const Course& course, std::size_t track,
+                        const std::vector<Lesson>& lessons) {
+    TrackSize size;
+    for (const Lesson& lesson : lessons) {
+        if (place_in(course, lesson.id).track != track) continue;
+        ++size.lessons;
+        size.minutes += lesson.minutes;
+    }
+    return size;
+}
+
+std::string hours_text(int minutes) {
+    if (minutes < 60) return fmt::format("{} min", minutes);
+    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
 int missing_number(const std::vector<Lesson>& lessons, std::size_t index) {
-    if (index == 0) return 0;
     const int number = lesson_number(lessons[index].id);
-    return lesson_number(lessons[index - 1].id) + 2 == number ? number - 1 : 0;
+    const auto is_there = [&](int other) {
+        return std::any_of(lessons.begin(), lessons.end(),
+                           [&](const Lesson& lesson) { return lesson_number(lesson.id) == other; });
+    };
+    return number > 2 && !is_there(number - 1) && is_there(number - 2) ? number - 1 : 0;
 }
 
 } // namespace rasterwalk

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "base/files.h"
+#include "lessons/course.h"
 #include "lessons/lesson.h"
 
 namespace rasterwalk {
 
-/// The lessons of a folder, in the order of their names. A file that changes is read again; if
-/// nothing of it can be shown any more, the earlier text stays, with the new faults.
+/// The lessons of a folder, in the order of its course; without one, in the order of their names. A
+/// file that changes is read again; if nothing of it can be shown any more, the earlier text stays,
+/// with the new faults. The same is true of the course.
 class LessonList {
   public:
     /// All lessons: those of lessons_folder(), unless read_folder() named another. Valid until the
@@ -35,6 +37,12 @@ class LessonList {
     /// has none.
     void read_folder(const std::string& folder);
 
+    /// The course that orders the lessons; without tracks if the folder has none.
+    const Course& course();
+
+    /// Why the course cannot be read: "lessons/course.toml:12: sentence"; empty if it can.
+    const std::string& course_fault() const { return course_fault_; }
+
     /// The folder whose lessons these are; empty before any was read.
     const std::string& folder() const { return folder_; }
 
@@ -46,13 +54,31 @@ class LessonList {
         friend bool operator==(const LessonFile&, const LessonFile&) = default;
     };
     std::vector<LessonFile> files_in_folder() const;
+    void refresh_course();
 
     bool is_read_ = false;
     std::uint64_t number_ = 0;
     std::string folder_;
     std::vector<LessonFile> files_; ///< with the same index as lessons_
     std::vector<Lesson> lessons_;
+    Course course_;
+    FileState course_state_;
+    std::string course_fault_;
 };
+
+/// How much a track holds.
+struct TrackSize {
+    int lessons = 0;
+    int minutes = 0; ///< of all of them together
+};
+
+/// @param track index in Course::tracks
+/// @param lessons as they were read; a lesson that is not among them does not count
+TrackSize size_of_track(const Course& course, std::size_t track,
+                        const std::vector<Lesson>& lessons);
+
+/// A duration as text: "45 min", "2 h 59 min".
+std::string hours_text(int minutes);
 
 /// Is this the name of a lesson's file: two digits, a hyphen, a name, `.md`?
 bool is_lesson_file(std::string_view name);
@@ -60,8 +86,8 @@ bool is_lesson_file(std::string_view name);
 /// The number that a lesson's id begins with; 0 if there is none.
 int lesson_number(std::string_view id);
 
-/// The number missing between the lesson of this index and the previous one, for a lesson yet to
-/// come. 0 if none is missing, or more than one.
+/// The number missing just before that of the lesson with this index, for a lesson yet to come. 0
+/// if none is missing, or more than one.
 int missing_number(const std::vector<Lesson>& lessons, std::size_t index);
 
 /// The most lessons that are read from a folder.

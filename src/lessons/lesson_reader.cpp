@@ -83,7 +83,11 @@ class Reader {
     }
 
     void add_text(std::string_view line) {
-        if (text_.empty()) text_line_ = line_number();
+        // Comments may be between blank lines and the text, so the first line of words counts.
+        if (trimmed(text_).empty()) {
+            text_.clear();
+            text_line_ = line_number();
+        }
         text_.append(line).append("\n");
     }
 
@@ -92,17 +96,8 @@ class Reader {
         const std::size_t last = text_.find_last_not_of(" \t\n");
         if (last != text_.npos) {
             text_.erase(last + 1);
-            int line = text_line_;
-            std::size_t begin = 0;
-            for (std::size_t end = 0;
-                 (end = text_.find('\n', begin)) != text_.npos &&
-                 trimmed(std::string_view(text_).substr(begin, end - begin)).empty();
-                 begin = end + 1) {
-                ++line;
-            }
-            text_.erase(0, begin);
-            look_through(text_, line);
-            step().parts.push_back({LessonPart::Kind::text, text_, -1, line});
+            look_through(text_, text_line_);
+            step().parts.push_back({LessonPart::Kind::text, text_, -1, text_line_});
         }
         text_.clear();
     }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "cli/json.h"
 #include "lessons/progress.h"
 #include "session/content.h"
 #include "tests/cli/run.h"
@@ -47,6 +48,12 @@ TEST_CASE("'rasterwalk lessons' lists the lessons and their progress") {
     CHECK(fresh.err.empty());
     CHECK(fresh.out.find("05-row-table  ") != std::string::npos);
     CHECK(fresh.out.find("Done.") == std::string::npos);
+    CHECK(fresh.out.find("The lab: 13 lessons, ") == 0);
+    const std::size_t second_track = fresh.out.find("\nThe machine underneath: 9 lessons, ");
+    CHECK(fresh.out.find("13-reading-a-bug  ") < second_track);
+    CHECK(second_track < fresh.out.find("14-arrows  "));
+    CHECK(fresh.out.find("04-edges  ") < fresh.out.find("02-moving-the-camera  "));
+    CHECK(fresh.out.find("02-moving-the-camera  ") < fresh.out.find("05-row-table  "));
 
     Progress progress;
     const Lesson edges = read_lesson(lessons_folder() + "/04-edges.md");
@@ -70,6 +77,10 @@ TEST_CASE("'rasterwalk lessons' lists the lessons and their progress") {
     CHECK(json.exit_code == 0);
     CHECK(json.out.find("\"id\" : \"04-edges\"") != std::string::npos);
     CHECK(json.out.find("\"done\" : true") != std::string::npos);
+    CHECK(json.out.find("\"track\" : \"The lab\"") != std::string::npos);
+    const Json lessons = Json::parse(json.out).at("lessons");
+    CHECK(lessons.at(4).at("id") == "05-row-table");
+    CHECK(lessons.at(4).at("needs") == Json::array({"04-edges"}));
 }
 
 TEST_CASE("'rasterwalk lessons' warns about progress that cannot be read, and goes on") {

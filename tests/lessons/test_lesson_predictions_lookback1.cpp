@@ -1,5 +1,5 @@
-// The look back of lessons 3 to 19, and of lesson 28, each answered a second time: by arithmetic
-// from the scenes' numbers, by definitions, or by trying out every case there is.
+// The look back of lessons 2 and 4 to 19, and of lesson 28, each answered a second time: by
+// arithmetic from the scenes' numbers, by definitions, or by trying out every case there is.
 
 #include <algorithm>
 #include <array>
@@ -53,37 +53,38 @@ double lamp_light_at(double r, double cosine) {
 
 } // namespace
 
-PREDICTIONS_TEST("Look back on lesson 1: the focal length", "03-points", "look-back") {
+PREDICTIONS_TEST("Look back on lesson 1: the focal length", "04-edges", "look-back") {
     const double before = room_f / depth_of_wall;
     const double after = 2.0 * room_f / depth_of_wall;
-    require_look_back("03-points", {after == 2.0 * before, after > before && after < 1.9 * before,
-                                    after == before});
+    require_look_back("04-edges", {after == 2.0 * before, after > before && after < 1.9 * before,
+                                   after == before});
 }
 
-PREDICTIONS_TEST("Look back on lesson 2: the order of the two operations", "04-edges",
+PREDICTIONS_TEST("Look back on lesson 2: the order of the two operations", "06-filling",
                  "look-back") {
     const glm::dvec3 v(1.0, -1.0, 1.0), c(0.5, 0.0, -3.001);
     const auto wrong = [&](double yaw) { return turned_by_yaw(v, yaw) - c; };
     const auto right = [&](double yaw) { return turned_by_yaw(v - c, yaw); };
     REQUIRE(glm::length(wrong(0.3) - right(0.3)) > 0.1);
-    require_look_back("04-edges", {wrong(0.0) == right(0.0),
-                                   wrong(0.0) != right(0.0) && wrong(0.0).z == right(0.0).z,
-                                   wrong(0.0).z != right(0.0).z});
+    require_look_back("06-filling", {wrong(0.0) == right(0.0),
+                                     wrong(0.0) != right(0.0) && wrong(0.0).z == right(0.0).z,
+                                     wrong(0.0).z != right(0.0).z});
 }
 
-PREDICTIONS_TEST("Look back on lesson 3: int() near the middle", "05-row-table", "look-back") {
+PREDICTIONS_TEST("Look back on lesson 3: int() near the middle", "02-moving-the-camera",
+                 "look-back") {
     const double x = room_f * (1.0 - 1.0056) / depth_of_wall;
     REQUIRE(x == Approx(-0.7).margin(0.001));
     const int column = static_cast<int>(x) + 250;
-    require_look_back("05-row-table", {column == 249, column == 250, column == 251});
+    require_look_back("02-moving-the-camera", {column == 249, column == 250, column == 251});
 }
 
-PREDICTIONS_TEST("Look back on lesson 4: how many samples", "06-filling", "look-back") {
+PREDICTIONS_TEST("Look back on lesson 4: how many samples", "05-row-table", "look-back") {
     // Neighbours are at most one pixel apart on either axis.
     int samples = 2;
     while (10.0 / (samples - 1) > 1.0 || 3.0 / (samples - 1) > 1.0)
         ++samples;
-    const Questions asked("06-filling");
+    const Questions asked("05-row-table");
     asked.require_number("look-back", samples, 0.0, 10.0);
     asked.require_number("look-back", samples, 0.0, 4.0);
 }

@@ -72,6 +72,13 @@ std::vector<Action> lesson_actions() {
          {'L'},
          toggle_list,
          is_list_shown},
+        {"lesson.map",
+         "Lesson",
+         "Map of the course",
+         "All lessons at a glance, and which of them build on which.",
+         {},
+         [](Ui& ui) { toggle_sheet(ui, Sheet::map, "map.close"); },
+         [](const Ui& ui) { return ui.sheets.is_open(Sheet::map); }},
     };
 }
 

@@ -135,7 +135,8 @@ namespace {
 const LessonPrediction* open_question(Ui& ui, const Lesson& lesson) {
     const LessonStrip& strip = ui.lesson.strip;
     const auto card = static_cast<std::size_t>(strip.card);
-    if (!ui.options.is_lecture || ui.lesson.drawer_is_open || card >= strip.cards.size())
+    if (!ui.options.is_lecture || ui.lesson.drawer_is_open || card >= strip.cards.size() ||
+        ui.lesson.lessons.course().answers == AnswerRule::after_tries)
         return nullptr;
     const LessonStep& step = lesson.steps[static_cast<std::size_t>(ui.session.step)];
     const auto number = static_cast<std::size_t>(strip.cards[card].part);

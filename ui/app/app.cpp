@@ -169,6 +169,7 @@ void draw_everything(Ui& ui) {
     }
     guarded(ui, [&] { draw_key_sheet(ui, window); });
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
+    guarded(ui, [&] { draw_map_sheet(ui, window); });
     guarded(ui, [&] { draw_event_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
     guarded(ui, [&] { draw_reading_bar(ui, window); });

@@ -58,6 +58,17 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
     return text;
 }
 
+/// A sentence on the track that ends with the lesson and the one that begins with the next; empty
+/// if it goes on.
+std::string end_of_track(Ui& ui, const Lesson& lesson, const Lesson& next) {
+    const Course& course = ui.lesson.lessons.course();
+    const Track* const ended = track_of(course, lesson.id);
+    const Track* const begun = track_of(course, next.id);
+    if (ended == nullptr || begun == nullptr || ended == begun) return {};
+    return fmt::format("*{}* ends here, and *{}* begins. ", as_markdown(ended->title),
+                       as_markdown(begun->title));
+}
+
 /// The next lesson, with a link; a lesson that is not written yet is skipped.
 std::string next_lesson_link(Ui& ui, const Lesson& lesson) {
     const std::string id = lesson_after(ui, lesson.id);
@@ -65,8 +76,10 @@ std::string next_lesson_link(Ui& ui, const Lesson& lesson) {
     if (next == nullptr)
         return "This is the last lesson. Next comes [your own program](show:tab.lab), with all of "
                "this in it.";
-    return fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
-                       as_markdown(next->about));
+    std::string text = end_of_track(ui, lesson, *next);
+    text += fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
+                        as_markdown(next->about));
+    return text;
 }
 
 } // namespace

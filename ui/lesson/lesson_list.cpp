@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/numbers.h"
 #include "lessons/lesson_search.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -107,15 +109,66 @@ void draw_unwritten(Ui& ui, int number) {
     clip_to_lines();
 }
 
+/// What a track is called, how long it takes and what it needs, over its first lesson.
+void draw_track(Ui& ui, std::size_t track, float width) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    LessonList& lessons = ui.lesson.lessons;
+    const Course& course = lessons.course();
+    ImGui::Dummy({0.0f, (track == 0 ? 2.0f : 12.0f) * u});
+    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(left + entry_margin * u);
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(left + width - entry_margin * u);
+    if (track == course.tracks.size()) {
+        put_text("Other lessons", ui.fonts.bold);
+    } else {
+        const Track& shown = course.tracks[track];
+        const TrackSize size = size_of_track(course, track, lessons.all());
+        const std::string words = fmt::format("{}, {}", counted(size.lessons, "lesson", "lessons"),
+                                              hours_text(size.minutes));
+        put_text(shown.title, ui.fonts.bold);
+        const float gap = 10.0f * u;
+        const bool fits =
+            text_width(ui.fonts.bold, shown.title) + gap + text_width(ui.fonts.small, words) <
+            width - 2.0f * entry_margin * u;
+        if (ui.lesson.is_strip && fits) ImGui::SameLine(0.0f, gap);
+        text_in(p.dim, words, ui.fonts.small);
+        if (!ui.lesson.is_strip) {
+            wrapped_text_in(p.dim, shown.about, ui.fonts.small);
+            wrapped_text_in(p.dim, "Needs: " + shown.needs, ui.fonts.small);
+        }
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    ImGui::Dummy({0.0f, 2.0f * u});
+}
+
+void draw_map_link(Ui& ui) {
+    if (button(ui, "lesson.map", "map of the course", Look::link,
+               "All lessons at a glance, and which of them build on which."))
+        ui.sheets.show(Sheet::map);
+}
+
+/// The lessons of the course, with their tracks.
 void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
+    if (!ui.lesson.lessons.course_fault().empty()) {
+        wrapped_text_in(colour_of(Meaning::fail, ui.options.theme),
+                        ui.lesson.lessons.course_fault(), ui.fonts.small);
+    }
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
     // Where lines are few, a lesson has one, and its tooltip has the rest.
     const bool is_short = ui.lesson.is_strip;
+    if (!is_short) draw_map_link(ui);
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
+        const Course& course = ui.lesson.lessons.course();
+        const std::size_t track = place_in(course, lesson.id).track;
+        const bool begins = i == 0 || place_in(course, lessons[i - 1].id).track != track;
+        if (begins && !course.tracks.empty()) draw_track(ui, track, width);
         if (const int number = missing_number(lessons, i)) draw_unwritten(ui, number);
         const LessonScore score = ui.lesson.scores.of(i);
         const bool is_open = lesson.id == ui.session.lesson;
@@ -141,6 +194,7 @@ void draw_lessons(Ui& ui, float width) {
         }
     }
     ImGui::Dummy({0.0f, 6.0f * ui.options.text_scale});
+    if (is_short) draw_map_link(ui);
     if (button(ui, "lesson.reset", "forget all progress", Look::link,
                "Removes every tick and answer; asks first.")) {
         ImGui::OpenPopup("lesson.reset.sure");

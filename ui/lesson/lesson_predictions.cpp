@@ -312,6 +312,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
                  side_by_side);
     if (!is_second) return;
     const bool is_pressed =
+        ui.lesson.lessons.course().answers == AnswerRule::on_request &&
         button(ui, name + ".show", "show the answer", Look::link, "Gives up the second try.");
     if (is_fresh) show_fresh(ui, first_answer(ui, prediction, name));
     if (is_pressed) reveal_answer(ui, lesson, prediction);

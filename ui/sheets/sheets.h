@@ -28,4 +28,8 @@ inline constexpr int most_events = 100'000;
 /// The words of the lab (F2).
 void draw_glossary_sheet(Ui& ui, ImVec2 window);
 
+/// The map of the course: its lessons, a column for each track, and lines from each lesson to those
+/// that build on it.
+void draw_map_sheet(Ui& ui, ImVec2 window);
+
 } // namespace rasterwalk

@@ -39,8 +39,8 @@ struct FileSheet {
 };
 
 /// The reading sheets, which leave the rest of the window usable; the topmost first.
-enum class Sheet : std::uint8_t { keys, glossary, events };
-inline constexpr std::size_t sheet_count = 3;
+enum class Sheet : std::uint8_t { keys, glossary, map, events };
+inline constexpr std::size_t sheet_count = 4;
 
 /// What the sheet of moments lists, and what it was listed for.
 struct EventSheet {

@@ -97,22 +97,32 @@ std::string button_label(Ui& ui, StartChoice choice, float width) {
     return button_width(label) <= width ? label : title;
 }
 
-/// How many of all lessons are done: a cell for each, and in words.
+/// How many lessons are done: a cell for each, with a gap between tracks, and in words for the
+/// track of the lesson that comes next.
 void draw_lesson_cells(Ui& ui, float width) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
     if (lessons.empty()) return;
-    int done = 0, minutes = 0;
+    const Course& course = ui.lesson.lessons.course();
+    const auto track = [&](std::size_t i) { return place_in(course, lessons[i].id).track; };
+    const Lesson* const next = next_lesson(ui);
+    const std::size_t shown =
+        next == nullptr ? course.tracks.size() : place_in(course, next->id).track;
+    int done = 0, minutes = 0, done_of_track = 0;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float gap = 3.0f * u;
-    const float cell =
-        (width - gap * static_cast<float>(lessons.size() - 1)) / static_cast<float>(lessons.size());
+    const float between_tracks = 6.0f * u;
+    const float gaps = gap * static_cast<float>(lessons.size() - 1) +
+                       between_tracks * static_cast<float>(track(lessons.size() - 1) - track(0));
+    const float cell = (width - gaps) / static_cast<float>(lessons.size());
     float x = low.x;
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const bool is_done = ui.lesson.scores.of(i).is_done;
         done += is_done ? 1 : 0;
+        done_of_track += is_done && track(i) == shown ? 1 : 0;
+        if (i > 0) x += between_tracks * static_cast<float>(track(i) - track(i - 1));
         minutes += lessons[i].minutes;
         const ImVec4& colour = is_done ? p.link : p.button_hovered;
         ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + cell, low.y + 5.0f * u},
@@ -120,10 +130,16 @@ void draw_lesson_cells(Ui& ui, float width) {
         x += cell + gap;
     }
     ImGui::SetCursorScreenPos({low.x, low.y + 11.0f * u});
-    text_in(p.dim,
-            fmt::format("{} of {} lessons done · {} h {} min in all", done, lessons.size(),
-                        minutes / 60, minutes % 60),
-            ui.fonts.small);
+    std::string words =
+        fmt::format("{} of {} lessons done · {} in all", done, lessons.size(), hours_text(minutes));
+    if (shown < course.tracks.size()) {
+        const TrackSize size = size_of_track(course, shown, lessons);
+        const std::string of_track =
+            fmt::format("{}: {} of {}, {} · ", course.tracks[shown].title, done_of_track,
+                        size.lessons, hours_text(size.minutes));
+        if (text_width(ui.fonts.small, of_track + words) <= width) words.insert(0, of_track);
+    }
+    text_in(p.dim, words, ui.fonts.small);
 }
 
 /// The lessons that come next, a line each, as many as fit.
