@@ -233,7 +233,12 @@ int count_words(const LessonStep& step) {
     std::ptrdiff_t count = 0;
     for (const LessonPart& part : step.parts) {
         if (part.kind != LessonPart::Kind::text) continue;
-        const std::string text = plain_text(parse_markdown(part.text).blocks);
+        std::vector<MarkdownBlock> blocks = parse_markdown(part.text).blocks;
+        // The words of a picture are not part of the text.
+        std::erase_if(blocks, [](const MarkdownBlock& block) {
+            return block.kind == MarkdownBlock::Kind::picture;
+        });
+        const std::string text = plain_text(blocks);
         const std::vector<std::string_view> words = split(text, ' ');
         count += std::count_if(words.begin(), words.end(), [](std::string_view word) {
             return std::any_of(word.begin(), word.end(), [](char sign) {

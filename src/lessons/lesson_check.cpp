@@ -15,6 +15,7 @@
 #include "base/quoted.h"
 #include "base/text_parts.h"
 #include "facts/facts.h"
+#include "figures/figure_drawing.h"
 #include "lessons/lesson_control.h"
 #include "lessons/lesson_link.h"
 #include "lessons/lesson_picture.h"
@@ -89,7 +90,9 @@ class Checker {
         // A link may build on earlier ones.
         Session walked = session;
         for (const LinkPlace& link : step.links) {
-            if (link.is_picture) {
+            if (link.is_picture && names_figure(link.target)) {
+                check_figure(link, step);
+            } else if (link.is_picture) {
                 check_picture(link);
             } else {
                 check_link(link, session, walked);
@@ -129,11 +132,34 @@ class Checker {
         return missing;
     }
 
-    void check_picture(const LinkPlace& picture) {
-        if (trimmed(picture.words).empty()) {
-            add(picture.line, "the picture " + in_quotes(picture.target) +
-                                  " has no text that describes it: ![text](picture).");
+    void check_words(const LinkPlace& picture, const std::string& kind) {
+        if (!trimmed(picture.words).empty()) return;
+        add(picture.line, "the " + kind + " " + in_quotes(picture.target) +
+                              " has no text that describes it: ![text](" + kind + ").");
+    }
+
+    /// A browser must show the same drawing as the window when the step opens.
+    void check_figure(const LinkPlace& place, const LessonStep& step) {
+        check_words(place, "figure");
+        try {
+            const Figure figure = read_lesson_figure(lesson_.folder, place.target);
+            if (!is_same_style(figure.style, figure_style())) {
+                add(place.line, "the figure " + in_quotes(place.target) +
+                                    " must have the style of all figures: copy its <style> from "
+                                    "another one.");
+            }
+            if (figure.expressions.empty()) return;
+            trial_.open(step.state, lesson_.folder, like_);
+            const Facts facts = trial_.facts();
+            for (const std::string& sentence : stale_numbers(figure, std::cref(facts)))
+                add(place.line, "the figure " + in_quotes(place.target) + ", " + sentence);
+        } catch (const Error& fault) {
+            add(place.line, fault.what());
         }
+    }
+
+    void check_picture(const LinkPlace& picture) {
+        check_words(picture, "picture");
         // Each picture is read once.
         const auto [known, is_new] = pictures_.try_emplace(picture.target);
         if (is_new) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/image.h"
+#include "figures/figure.h"
 
 namespace rasterwalk {
 
@@ -12,6 +14,13 @@ namespace rasterwalk {
 /// @param folder of the lesson
 /// @param target as written in the lesson
 Image read_lesson_picture(const std::string& folder, const std::string& target);
+
+/// Does the target name a figure, which is drawn, and not a picture?
+bool names_figure(std::string_view target);
+
+/// Reads a figure that a lesson shows: an SVG file in the folder of the lessons. Throws UsageError
+/// with a sentence that names it, and its line.
+Figure read_lesson_figure(const std::string& folder, const std::string& target);
 
 inline constexpr int largest_lesson_picture = 4096; ///< pixels per side
 

@@ -231,6 +231,7 @@ class Reader {
             return;
         }
         may_have_block_ = false;
+        text_.clear(); // or what follows would be counted from the blank line before the block
         ViewState own = read_view_state(comment.table, comment.line, faults_);
         step().state = combined(lesson_state_, own);
         step().state.point_at = own.point_at;

@@ -83,7 +83,7 @@ TEST_CASE("rasterwalk check names the same faults, and ends with exit code 1") {
     CHECK(all.exit_code == 1);
     compare(lines_of(from_folder(all.out)), expected_lines());
     CHECK(all.err ==
-          "rasterwalk: " + std::to_string(expected_lines().size()) + " faults in 21 files.\n");
+          "rasterwalk: " + std::to_string(expected_lines().size()) + " faults in 22 files.\n");
 
     const test::CliRun one = test::run({"check", folder + "/01-no-head.md"});
     CHECK(one.exit_code == 1);

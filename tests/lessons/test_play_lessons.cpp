@@ -267,6 +267,8 @@ Five [six seven](tab:rows) `eight`:
 int twelve = thirteen;
 ```
 
+![Not counted.](figures/hidden-stretch.svg)
+
 <!-- task
 id = "not-counted"
 done = "stage == rows"

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "figures/figure_drawing.h"
 #include "scene/read_obj.h"
 #include "scene/read_scene.h"
 #include "tests/support/made_images.h"
@@ -103,7 +104,9 @@ std::vector<std::string> bmp_seeds() {
 }
 
 std::string problem_of_refusal(const std::string& sentence, bool has_beginning) {
-    const bool is_sentence = sentence.ends_with('.') && sentence.size() < 2000;
+    // The last sentence may ask whether another name was meant.
+    const bool is_ended = sentence.ends_with('.') || sentence.ends_with('?');
+    const bool is_sentence = is_ended && sentence.size() < 2000;
     if (has_beginning && is_sentence && sentence.find("outofmem") == sentence.npos) return "";
     return "it is refused without its name or without a sentence: " + sentence;
 }
@@ -177,6 +180,44 @@ FileOutcome scene_outcome(const std::string& bytes, const TemporaryFolder& folde
     return text_outcome(path, path, [&] { return problem_of_scene(parse_scene(bytes, path)); });
 }
 
+// Figures
+
+const std::string figure_seed =
+    "<svg viewBox=\"0 0 90 60\">\n<style>.a{}</style><!-- b -->\n"
+    "<g class=\"edge-1\" transform=\"translate(4, 5)\" data-if=\"stage == fill\">\n"
+    "<line class=\"dashed arrow\" x1=\"1\" y1=\"2\" x2=\"30\" y2=\"4\"/>\n"
+    "<polygon class=\"soft\" points=\"0,0 9,0 9,9\" data-points=\"1;2;camera.yaw;4;5;6\"/></g>\n"
+    "<circle cx=\"50\" cy=\"5\" r=\"4\" data-cx=\"camera.focal_length / 10\""
+    " data-drag=\"camera.focal_length 100 900 50\"/>\n"
+    "<path d=\"M0 0 L1 1 Q2 3 4 5 C1 2 3 4 5 6 Z\"/><rect x=\"1\" y=\"2\" width=\"3\" "
+    "height=\"4\"/>\n"
+    "<text x=\"3\" y=\"4\">p<tspan class=\"sub\" data-value=\"pixel.z\">1</tspan> &lt; 4</text>\n"
+    "</svg>\n";
+
+FileOutcome figure_outcome(const std::string& bytes, const TemporaryFolder&) {
+    try {
+        const Figure figure = read_figure(bytes, "x");
+        const FactReader no_facts = [](std::string_view) { return Value(); };
+        const FigureDrawing drawing = draw_figure(figure, no_facts);
+        std::size_t places = 0;
+        for (const FigureLine& line : drawing.lines)
+            places += line.places.size();
+        for (const FigureHandle& handle : figure.handles)
+            dragged_value(figure, handle, {0.0f, 0.0f}, no_facts);
+        return {true, places <= 100'000 ? "" : "it is drawn through too many places."};
+    } catch (const InputError& fault) {
+        const std::string said = fault.what();
+        return {false, problem_of_refusal(said, said.starts_with("x:"))};
+    }
+}
+
+const std::vector<std::string> figure_words{
+    "<",       ">",      "/>",       "</g>",      "<g>",   "\"",   "'",
+    "&",       "&lt;",   "<!--",     "-->",       "<?xml", "<!",   "<text x='0' y='0'>",
+    "<tspan>", "class=", "1e9",      "-1",        "nan",   "M",    "Z",
+    ";",       "(",      "data-x1=", "data-if='", "soft",  "\x80", "<defs>",
+    "<style>"};
+
 // Changes
 
 const std::vector<std::string> binary_words{std::string(1, '\0'),
@@ -243,6 +284,7 @@ std::vector<ChangedFormat> changed_formats() {
         {"OBJ", models, model_words, model_outcome},
         {"MTL", {materials}, material_words, material_outcome},
         {"scene", {scene_seed}, scene_words, scene_outcome},
+        {"figure", {figure_seed}, figure_words, figure_outcome},
     };
 }
 

@@ -32,7 +32,7 @@ struct ChangedFormat {
     FileOutcome (*read)(const std::string& bytes, const TemporaryFolder& folder);
 };
 
-/// PNG, JPG, TGA, BMP, PPM, PGM, OBJ, MTL and scenes.
+/// PNG, JPG, TGA, BMP, PPM, PGM, OBJ, MTL, scenes and figures.
 std::vector<ChangedFormat> changed_formats();
 
 /// A seed with one to six changes, more often few: bytes and words that are put in, left out or

@@ -84,7 +84,15 @@ std::vector<MarkdownDocument> fitting_parts(Ui& ui, const MarkdownDocument& page
         const bool is_long_table = last.kind == MarkdownBlock::Kind::table &&
                                    last.children.size() > 2 &&
                                    markdown_height(ui, piece.page, width) > most;
-        if (is_long_table) {
+        const bool is_with_picture =
+            last.kind == MarkdownBlock::Kind::picture && piece.page.blocks.size() > 1;
+        if (is_with_picture) {
+            MarkdownDocument words = piece.page, picture = piece.page;
+            words.blocks.pop_back();
+            picture.blocks = {last};
+            parts.push_back(std::move(words));
+            parts.push_back(std::move(picture));
+        } else if (is_long_table) {
             add_table(ui, piece.page, width, most, parts);
         } else {
             parts.push_back(std::move(piece.page));

@@ -19,7 +19,7 @@ MarkdownDocument fitting_sentences(Ui& ui, const std::string& text, float width,
 
 /// The whole of a page in parts that fit on this many lines each; what cannot be cut so
 /// small is a part by itself. A table higher than `most` begins its own part, and is cut between
-/// its rows, with its head on each part.
+/// its rows, with its head on each part; a picture is a part by itself.
 /// @param width of a line, screen pixels
 /// @param most screen pixels
 std::vector<MarkdownDocument> fitting_parts(Ui& ui, const MarkdownDocument& page, float width,

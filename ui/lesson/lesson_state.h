@@ -76,6 +76,7 @@ struct LessonStrip {
     bool has_long_words = false; ///< the words of a step's parts have no room next to the buttons
     float height = 0.0f;         ///< of its text when last drawn, screen pixels
     float most_height = 0.0f;    ///< the most it can have in this window, screen pixels
+    float figure_height = 0.0f;  ///< the most for a figure while it is drawn; 0: it is not
     /// The sentences that fit, and what they were found for.
     struct Fitting {
         std::string of;

@@ -156,7 +156,9 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const Head head{heading_text(step), place_in_lesson(ui, lesson), pages};
     LessonStrip& strip = ui.lesson.strip;
     const float margins = 2.0f * strip_margin_y * ui.options.text_scale;
-    cut_cards(ui, lesson, step, width, strip.most_height - margins - head_room(ui));
+    const float room = strip.most_height - margins - head_room(ui);
+    strip.figure_height = std::max(room - 4.0f * ui.options.text_scale, 1.0f);
+    cut_cards(ui, lesson, step, width, room);
     const int part = strip.cards[static_cast<std::size_t>(strip.card)].part;
     Area words{{}, {part_words_width(ui, lesson, step, part), word_height * ui.options.text_scale}};
     const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -187,6 +189,7 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     if (ui.session.lesson == name && ui.session.step == number)
         draw_controls(ui, lesson, step, width);
     end_card_window(ui);
+    strip.figure_height = 0.0f;
     return wanted;
 }
 

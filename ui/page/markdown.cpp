@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "ui/page/figure_view.h"
 #include "ui/page/markdown_layout.h"
 #include "ui/ui.h"
 #include "ui/widgets/line_clip.h"
@@ -21,6 +22,7 @@ struct PageMeasure {
     float unit = 0.0f;
     const ImFont* font = nullptr;
     float font_size = 0.0f;
+    float figure_height = 0.0f; ///< the most for a figure
 
     friend bool operator==(const PageMeasure&, const PageMeasure&) = default;
 };
@@ -48,10 +50,28 @@ constexpr int most_shapes = 400;
 /// Links that are entered in Ui::widgets even while they are scrolled away.
 constexpr int most_hidden_links = 500;
 
+/// A figure takes at most this share of the window's height, so that text is seen with it; or else
+/// the room that the strip has.
+constexpr float highest_figure = 0.4f;
+
+float figure_height(const Ui& ui) {
+    const float room = ui.lesson.strip.figure_height;
+    return room > 0.0f ? room : highest_figure * ImGui::GetIO().DisplaySize.y;
+}
+
+/// Size of a picture or a figure, in design pixels.
+ImVec2 size_on_page(const Ui& ui, const PictureName& name) {
+    const ImVec2 size = picture_size(*ui.pictures, name);
+    const float most = figure_height(ui) / ui.options.text_scale;
+    if (shown_figure(*ui.pictures, name) == nullptr || size.y <= most) return size;
+    return {size.x * most / size.y, most};
+}
+
 /// Brings the page up to date with content, width and fonts.
 void prepare(Ui& ui, MarkdownPage& page, const MarkdownContent& content, float width,
              const std::string& folder) {
-    const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize};
+    const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize,
+                              ImGui::GetIO().DisplaySize.y};
     const bool is_new = !page.measure || page.content != content || page.folder != folder;
     if (!is_new && page.measure == measure) return;
     if (is_new) {
@@ -69,7 +89,7 @@ void prepare(Ui& ui, MarkdownPage& page, const MarkdownContent& content, float w
     if (!ui.pictures) ui.pictures = std::make_shared<ImageCache>();
     page.layout = lay_out(page.document, ui.fonts, ui.options.text_scale, width,
                           [&](const std::string& target) {
-                              return picture_size(*ui.pictures, {page.folder, target});
+                              return size_on_page(ui, {page.folder, target});
                           });
     page.measure = measure;
 }
@@ -173,14 +193,19 @@ void draw_shapes(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
 }
 
 void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight) {
+    int budget = most_figure_pieces;
     for (const PagePicture& picture : page.layout.pictures) {
         if (!sight.holds(picture.low.y, picture.high.y)) continue;
         const ImVec2 low{std::floor(sight.origin.x + picture.low.x),
                          std::floor(sight.origin.y + picture.low.y)};
         const ImVec2 size{picture.high.x - picture.low.x, picture.high.y - picture.low.y};
-        ImTextureID texture = picture_texture(ui, {page.folder, std::string(picture.target)},
-                                              static_cast<int>(size.x));
+        const PictureName name{page.folder, std::string(picture.target)};
         const ImVec2 high{low.x + size.x, low.y + size.y};
+        if (const std::shared_ptr<const Figure> figure = shown_figure(*ui.pictures, name)) {
+            show_figure(ui, *figure, low, high, budget);
+            continue;
+        }
+        ImTextureID texture = picture_texture(ui, name, static_cast<int>(size.x));
         if (texture != ImTextureID{}) list->AddImage(texture, low, high);
         list->AddRect(low, high, packed(palette(ui.options.theme).line));
     }

@@ -16,6 +16,12 @@ ShownPicture read_picture(const PictureName& name) {
     ShownPicture picture;
     try {
         const std::string folder = name.folder.empty() ? lessons_folder() : name.folder;
+        if (names_figure(name.target)) {
+            picture.figure =
+                std::make_shared<const Figure>(read_lesson_figure(folder, name.target));
+            picture.size = {picture.figure->size.x, picture.figure->size.y};
+            return picture;
+        }
         picture.image = read_lesson_picture(folder, name.target);
         picture.size = {static_cast<float>(picture.image.width),
                         static_cast<float>(picture.image.height)};
@@ -77,9 +83,14 @@ ImVec2 picture_size(ImageCache& cache, const PictureName& name) {
     return find_picture(cache, name).size;
 }
 
+std::shared_ptr<const Figure> shown_figure(ImageCache& cache, const PictureName& name) {
+    return find_picture(cache, name).figure;
+}
+
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width) {
     ShownPicture& picture = find_picture(*ui.pictures, name);
-    if (picture.size.x < 1.0f || ui.host.textures == nullptr) return {};
+    if (picture.size.x < 1.0f || picture.figure != nullptr || ui.host.textures == nullptr)
+        return {};
     if (picture.texture_width != width) {
         picture.texture = ui.host.textures->upload(picture.texture, shrink(picture.image, width));
         picture.texture_width = width;

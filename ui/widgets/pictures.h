@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -13,10 +14,13 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A lesson's picture that is on the screen.
+struct Figure;
+
+/// A lesson's picture or figure that is on the screen.
 struct ShownPicture {
-    ImVec2 size{0, 0};     ///< its own, pixels; 0: it could not be read
-    ImTextureID texture{}; ///< of the width last requested
+    ImVec2 size{0, 0};                    ///< its own, pixels; 0: it could not be read
+    std::shared_ptr<const Figure> figure; ///< null: it is a picture
+    ImTextureID texture{};                ///< of the width last requested
     int texture_width = 0;
     Image image;
 };
@@ -38,6 +42,9 @@ struct ImageCache {
 
 /// Size of a picture, pixels; 0 if it cannot be read, is too large, or lies outside the project.
 ImVec2 picture_size(ImageCache& cache, const PictureName& name);
+
+/// The figure of this name; null if it names a picture, or cannot be read.
+std::shared_ptr<const Figure> shown_figure(ImageCache& cache, const PictureName& name);
 
 /// The texture of a picture, made smaller to `width` screen pixels. Null if there is none.
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width);
