@@ -16,6 +16,7 @@
 #include "facts/facts.h"
 #include "laboratory/bug.h"
 #include "lessons/course.h"
+#include "lessons/course_test.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_advice.h"
 #include "lessons/lesson_check.h"
@@ -48,7 +49,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
          entry.increment(fault)) {
         const std::string name = entry->path().filename().string();
         const bool is_data = name == "presets.toml" || name == "glossary.toml" ||
-                             name == "bugs.toml" || name == "course.toml";
+                             name == "bugs.toml" || name == "course.toml" ||
+                             name == "course-test.toml";
         const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
         const bool is_model = folder.filename() == "models" && is_model_file(name);
         if (is_lesson_name(name) || is_data || is_scene || is_model)
@@ -147,6 +149,7 @@ int check_file(const std::string& path, FileCheck& check) {
         return read(
             [&] { check_course_files(parse_course(read_file(path), path), folder.string()); });
     }
+    if (name == "course-test.toml") return read([&] { parse_course_test(read_file(path), path); });
     if (is_view_file(name)) {
         ViewOptions options;
         options.file = path;

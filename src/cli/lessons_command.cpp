@@ -52,7 +52,7 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
         const LessonProgress& own = progress.of(lesson.id);
         const LessonScore score = score_of(progress, lesson);
         const int steps = static_cast<int>(lesson.steps.size());
-        const int tasks = static_cast<int>(lesson.tasks.size());
+        const int tasks = task_count(lesson);
         const int predictions = static_cast<int>(lesson.predictions.size());
         const int seen = shown_step_count(own, lesson);
         const Track* const track = track_of(course, lesson.id);

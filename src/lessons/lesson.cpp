@@ -48,6 +48,10 @@ std::string fault_text(const Lesson& lesson, const Fault& fault) {
     return fmt::format("{}:{}: {}", lesson.path, fault.line, fault.sentence);
 }
 
+int task_count(const Lesson& lesson) {
+    return static_cast<int>(lesson.tasks.size() + lesson.puzzles.size());
+}
+
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id) {
     for (const LessonPrediction& prediction : lesson.predictions) {
         if (prediction.id == id) return &prediction;

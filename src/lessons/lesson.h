@@ -10,6 +10,7 @@
 
 #include "base/limits.h"
 #include "facts/expression.h"
+#include "lessons/lesson_puzzle.h"
 #include "settings/control_range.h"
 #include "view/view_state.h"
 
@@ -96,10 +97,10 @@ struct LessonControl {
 
 /// A piece of a step, in reading order.
 struct LessonPart {
-    enum class Kind : std::uint8_t { text, task, prediction, control };
+    enum class Kind : std::uint8_t { text, task, prediction, control, puzzle };
     Kind kind = Kind::text;
     std::string text; ///< Markdown; only for a text
-    int index = -1;   ///< in Lesson::tasks, Lesson::predictions or Lesson::controls
+    int index = -1;   ///< in Lesson::tasks, predictions, controls or puzzles
     int line = 0;     ///< where its text begins
 };
 
@@ -143,6 +144,7 @@ struct Lesson {
     std::vector<LessonTask> tasks;
     std::vector<LessonPrediction> predictions;
     std::vector<LessonControl> controls;
+    std::vector<LessonPuzzle> puzzles;
     std::vector<LessonFootnote> footnotes;
     std::vector<Fault> faults; ///< in the order of their lines
 };
@@ -168,13 +170,16 @@ std::string with_footnotes(const Lesson& lesson, const std::string& text);
 /// The step's heading as a reader sees it, without styles.
 std::string heading_text(const LessonStep& step);
 
+/// Its tasks and puzzles: what is ticked off when it is done.
+int task_count(const Lesson& lesson);
+
 /// The prediction of this id; null if there is none.
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id);
 
 inline constexpr std::size_t largest_lesson = std::size_t{1} << 20; ///< bytes
 inline constexpr int most_lesson_lines = 20'000;
 inline constexpr std::size_t longest_lesson_line = 4'000; ///< bytes
-inline constexpr int most_lesson_questions = 100;         ///< tasks and predictions together
+inline constexpr int most_lesson_questions = 100;         ///< tasks, predictions and puzzles
 inline constexpr int most_lesson_links = 2'000;
 inline constexpr int most_recipe_links = 50;
 inline constexpr int most_step_controls = 3;

@@ -33,20 +33,6 @@ Expression expression(const TomlBlock& block, const toml::node& node) {
     return parse_expression(block.text(node));
 }
 
-/// Ids are lower-case letters, digits, - and _, because they are written to the progress file.
-std::string id(const TomlBlock& block, const toml::node& node) {
-    constexpr std::size_t longest = 60;
-    std::string text = block.text(node);
-    const bool is_good =
-        text.size() <= longest &&
-        text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == text.npos;
-    if (!is_good) {
-        block.input().fail(node, "an id consists of lowercase letters, digits, - and _, at most " +
-                                     std::to_string(longest) + ".");
-    }
-    return text;
-}
-
 /// Throws UsageError for an {EXPRESSION} in code or in a formula, which would be shown unchanged.
 void refuse_numbers_in_code(std::string_view text) {
     while (true) {
@@ -166,6 +152,19 @@ std::vector<Misconception> read_misconceptions(const TomlBlock& prediction, cons
 
 } // namespace
 
+std::string read_question_id(const TomlBlock& block, const toml::node& node) {
+    constexpr std::size_t longest = 60;
+    std::string text = block.text(node);
+    const bool is_good =
+        text.size() <= longest &&
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == text.npos;
+    if (!is_good) {
+        block.input().fail(node, "an id consists of lowercase letters, digits, - and _, at most " +
+                                     std::to_string(longest) + ".");
+    }
+    return text;
+}
+
 ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults) {
     TomlBlock block(table, line, "the block 'lesson'", faults);
     ViewState state;
@@ -195,7 +194,7 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
     LessonTask task;
     task.line = task.done_line = task.recipe_line = task.because_line = line;
     TomlKeys keys;
-    keys["id"] = [&](const toml::node& n) { task.id = id(block, n); };
+    keys["id"] = [&](const toml::node& n) { task.id = read_question_id(block, n); };
     keys["done"] = [&](const toml::node& n) {
         task.done_line = line_of(n);
         task.done = condition(block, n);
@@ -231,7 +230,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
     p.line = p.answer_line = p.because_line = line;
     p.at = step;
     TomlKeys keys;
-    keys["id"] = [&](const toml::node& n) { p.id = id(block, n); };
+    keys["id"] = [&](const toml::node& n) { p.id = read_question_id(block, n); };
     keys["kind"] = [&](const toml::node& n) {
         constexpr std::string_view names[] = {"number", "pixel", "choice"};
         const std::string name = block.word(n, "kind of prediction", names);

@@ -20,6 +20,7 @@
 #include "lessons/lesson_link.h"
 #include "lessons/lesson_picture.h"
 #include "lessons/lesson_run.h"
+#include "lessons/puzzle_judge.h"
 #include "pipeline/frame.h"
 #include "session/content.h"
 #include "text/math.h"
@@ -40,6 +41,7 @@ class Checker {
         check_each("step", lesson_.steps, &Checker::check_step);
         check_each("task", lesson_.tasks, &Checker::check_task);
         check_each("question", lesson_.predictions, &Checker::check_prediction);
+        check_each("puzzle", lesson_.puzzles, &Checker::check_puzzle);
         std::stable_sort(faults_.begin(), faults_.end(),
                          [](const Fault& a, const Fault& b) { return a.line < b.line; });
         return std::move(faults_);
@@ -432,6 +434,23 @@ class Checker {
             return false;
         }
         return true;
+    }
+
+    /// Its own lines must be right, and must not be so in the order in which they are offered.
+    void check_puzzle(const LessonPuzzle& puzzle) {
+        const PuzzleVerdict own = judge_order(puzzle, right_order(puzzle));
+        if (!own.is_right) {
+            add(own.line > 0 ? puzzle.code_line : puzzle.line,
+                fmt::format("the code of '{}' does not pass its own questions. {}", puzzle.id,
+                            own.sentence));
+        }
+        std::vector<PlacedPiece> offered;
+        for (const int piece : puzzle.order)
+            offered.push_back({piece, 1});
+        if (judge_order(puzzle, offered).is_right) {
+            add(puzzle.line,
+                fmt::format("the lines of '{}' are right as they are offered.", puzzle.id));
+        }
     }
 
     const Lesson& lesson_;

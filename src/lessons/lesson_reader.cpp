@@ -16,6 +16,7 @@
 #include "lessons/lesson_lines.h"
 #include "lessons/lesson_text.h"
 #include "lessons/look_back.h"
+#include "lessons/puzzle_block.h"
 #include "text/markdown_text.h"
 #include "view/view_table.h"
 
@@ -198,15 +199,18 @@ class Reader {
             read_step_comment(comment);
         } else if (comment.kind == "task" || comment.kind == "prediction") {
             read_question(comment);
+        } else if (comment.kind == "order") {
+            read_order(comment);
         } else if (comment.kind == "control") {
             read_control_comment(comment);
         } else {
-            constexpr std::string_view block_kinds[] = {"lesson",     "step",    "task",
-                                                        "prediction", "control", "note"};
-            faults_.add(comment.line,
-                        "there is no block " + in_quotes(comment.kind) +
-                            "; the blocks are lesson, step, task, prediction, control and note." +
-                            did_you_mean(comment.kind, block_kinds));
+            constexpr std::string_view block_kinds[] = {"lesson", "step",    "task", "prediction",
+                                                        "order",  "control", "note"};
+            faults_.add(
+                comment.line,
+                "there is no block " + in_quotes(comment.kind) +
+                    "; the blocks are lesson, step, task, prediction, order, control and note." +
+                    did_you_mean(comment.kind, block_kinds));
         }
     }
 
@@ -255,30 +259,39 @@ class Reader {
         return false;
     }
 
-    void read_question(const LessonComment& comment) {
+    /// The quote after a block, which must have one.
+    std::string take_text(const LessonComment& comment) {
         end_text();
         may_have_block_ = false;
         const int quote_line = line_number();
         std::string text = take_quote();
-        const std::string kind(comment.kind);
         if (text.empty()) {
-            faults_.add(comment.line, "the block '" + kind +
+            faults_.add(comment.line, "the block '" + std::string(comment.kind) +
                                           "' must be directly followed by its text, a quote: > "
                                           "...");
         }
         look_through(text, quote_line);
-        if (!comment.is_good) return;
-        if (lesson_.tasks.size() + lesson_.predictions.size() >=
-            static_cast<std::size_t>(most_lesson_questions)) {
-            if (!has_reported_questions_) {
-                faults_.add(comment.line, "a lesson may have at most " +
-                                              std::to_string(most_lesson_questions) +
-                                              " tasks and predictions.");
-            }
-            has_reported_questions_ = true;
-            return;
+        return text;
+    }
+
+    /// May the lesson have one more? If not, that is reported once.
+    bool has_room_for_question(int line) {
+        const std::size_t count =
+            lesson_.tasks.size() + lesson_.predictions.size() + lesson_.puzzles.size();
+        if (count < static_cast<std::size_t>(most_lesson_questions)) return true;
+        if (!has_reported_questions_) {
+            faults_.add(line, "a lesson may have at most " + std::to_string(most_lesson_questions) +
+                                  " tasks and predictions.");
         }
-        if (kind == "task") {
+        has_reported_questions_ = true;
+        return false;
+    }
+
+    void read_question(const LessonComment& comment) {
+        const int quote_line = line_number();
+        std::string text = take_text(comment);
+        if (!comment.is_good || !has_room_for_question(comment.line)) return;
+        if (comment.kind == "task") {
             add_task(read_task(comment.table, comment.line, faults_), std::move(text), quote_line);
         } else {
             add_prediction(read_prediction(comment.table, comment.line, step().state, faults_),
@@ -315,6 +328,41 @@ class Reader {
                                 static_cast<int>(lesson_.predictions.size()),
                                 quote_line});
         lesson_.predictions.push_back(std::move(prediction));
+    }
+
+    /// The lines of the fenced code that comes next.
+    std::vector<std::string_view> take_code(const LessonComment& comment) {
+        while (next_ < lines_.size() && trimmed(lines_[next_]).empty())
+            ++next_;
+        std::vector<std::string_view> code;
+        if (next_ == lines_.size() || !is_fence(lines_[next_])) {
+            faults_.add(comment.line, "the text of the block 'order' must be followed by its code, "
+                                      "between lines of ```.");
+            return code;
+        }
+        code_line_ = line_number();
+        ++next_;
+        while (next_ < lines_.size() && !is_fence(lines_[next_]))
+            code.push_back(lines_[next_++]);
+        in_code_ = next_ == lines_.size();
+        if (!in_code_) ++next_;
+        return code;
+    }
+
+    void read_order(const LessonComment& comment) {
+        const int quote_line = line_number();
+        std::string text = take_text(comment);
+        const std::vector<std::string_view> code = take_code(comment);
+        if (!comment.is_good || code.empty() || !has_room_for_question(comment.line)) return;
+        LessonPuzzle puzzle = read_puzzle(comment.table, comment.line, code, code_line_, faults_);
+        if (puzzle.lines.empty() || !is_new_id(puzzle.id, puzzle.line)) return;
+        puzzle.text = std::move(text);
+        puzzle.step = step_number();
+        puzzle.order = shuffled(piece_count(puzzle), lesson_.id + "/" + puzzle.id);
+        look_through(puzzle.because, puzzle.line);
+        step().parts.push_back(
+            {LessonPart::Kind::puzzle, {}, static_cast<int>(lesson_.puzzles.size()), quote_line});
+        lesson_.puzzles.push_back(std::move(puzzle));
     }
 
     void read_control_comment(const LessonComment& comment) {

@@ -73,6 +73,9 @@ std::string text_of(const Lesson& lesson, const LessonStep& step) {
         case LessonPart::Kind::prediction:
             add(lesson.predictions[index].text);
             break;
+        case LessonPart::Kind::puzzle:
+            add(lesson.puzzles[index].text);
+            break;
         case LessonPart::Kind::control:
             text += lesson.controls[index].setting->title;
             text += " ";

@@ -59,8 +59,29 @@ const std::string& key_of(const std::string& id) {
 int key_of(int step) {
     return step;
 }
-const std::string& key_of(const std::pair<const std::string, FirstAnswer>& answer) {
+template <class Value>
+const std::string& key_of(const std::pair<const std::string, Value>& answer) {
     return answer.first;
+}
+
+TestAnswers parse_test_answers(const TomlInput& input, std::string_view key) {
+    TestAnswers answers;
+    const toml::node* const found = input.find(key);
+    if (found == nullptr) return answers;
+    const TomlInput table = input.table(*found, "the answers of the test");
+    for (const auto& [id, node] : table.nodes()) {
+        const auto said = node.value<std::string>();
+        if (!said) table.fail(node, "An answer of the test must be text.");
+        answers[std::string(id.str())] = *said;
+    }
+    return answers;
+}
+
+toml::table table_of(const TestAnswers& answers) {
+    toml::table table;
+    for (const auto& [id, said] : answers)
+        table.insert(id, said);
+    return table;
 }
 
 /// Removes what is gone in `after` compared with `before`, and adds what is new.
@@ -71,6 +92,15 @@ void merge_changes(const Container& before, const Container& after, Container& t
     }
     for (const auto& one : after) {
         if (before.count(key_of(one)) == 0) theirs.insert(one);
+    }
+}
+
+/// An answer that was changed replaces the one that is there.
+void merge_test(const TestAnswers& before, const TestAnswers& after, TestAnswers& theirs) {
+    merge_changes(before, after, theirs);
+    for (const auto& [id, said] : after) {
+        const auto was = before.find(id);
+        if (was == before.end() || was->second != said) theirs[id] = said;
     }
 }
 
@@ -152,9 +182,11 @@ void Progress::touch() {
 LessonScore score_of(const Progress& progress, const Lesson& lesson) {
     const LessonProgress& own = progress.of(lesson.id);
     LessonScore score;
-    score.all = static_cast<int>(lesson.tasks.size() + lesson.predictions.size());
+    score.all = task_count(lesson) + static_cast<int>(lesson.predictions.size());
     for (const LessonTask& task : lesson.tasks)
         score.solved += own.tasks.count(task.id) > 0 ? 1 : 0;
+    for (const LessonPuzzle& puzzle : lesson.puzzles)
+        score.solved += own.tasks.count(puzzle.id) > 0 ? 1 : 0;
     for (const LessonPrediction& prediction : lesson.predictions) {
         if (!progress.is_revealed(lesson.id, prediction.id)) continue;
         ++score.answered;
@@ -204,17 +236,22 @@ std::string progress_text(const Progress& progress) {
                                        {"answers", std::move(answers)}});
     }
     std::ostringstream out;
-    out << toml::table{{"last_lesson", progress.last_lesson}, {"lessons", std::move(lessons)}}
-        << '\n';
+    toml::table all{{"last_lesson", progress.last_lesson}, {"lessons", std::move(lessons)}};
+    if (!progress.test_before.empty()) all.insert("test_before", table_of(progress.test_before));
+    if (!progress.test_after.empty()) all.insert("test_after", table_of(progress.test_after));
+    out << all << '\n';
     return out.str();
 }
 
 Progress parse_progress(std::string_view text, const std::string& path) {
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the progress");
-    input.allow_only({"last_lesson", "lessons"});
+    input.allow_only({"last_lesson", "lessons", "test_before", "test_after"});
     Progress progress;
     progress.last_lesson = input.text_or_empty("last_lesson");
+    progress.test_before = parse_test_answers(input, "test_before");
+    progress.test_after = parse_test_answers(input, "test_after");
+    if (!progress.test_before.empty() || !progress.test_after.empty()) progress.touch();
     const toml::node* const lessons = input.find("lessons");
     if (lessons == nullptr) return progress;
     const TomlInput table = input.table(*lessons, "the lessons");
@@ -236,6 +273,8 @@ Progress merged(const Progress& before, const Progress& after, const Progress& t
     if (theirs == before) return after;
     Progress result = theirs;
     result.touch();
+    merge_test(before.test_before, after.test_before, result.test_before);
+    merge_test(before.test_after, after.test_after, result.test_after);
     if (after.last_lesson != before.last_lesson) result.last_lesson = after.last_lesson;
     std::set<std::string> ids;
     for (const Progress* const one : {&before, &after, &theirs}) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/course_test.h"
 #include "lessons/lesson.h"
 
 namespace rasterwalk {
@@ -23,7 +24,7 @@ struct FirstAnswer {
 /// The student's progress in one lesson.
 struct LessonProgress {
     std::set<int> steps;                        ///< that were shown
-    std::set<std::string> tasks;                ///< ids of solved tasks
+    std::set<std::string> tasks;                ///< ids of solved tasks and puzzles
     std::map<std::string, FirstAnswer> answers; ///< by the id of the prediction
     int last_step = 0;
 
@@ -34,6 +35,7 @@ struct LessonProgress {
 struct Progress {
     std::map<std::string, LessonProgress> lessons; ///< by id
     std::string last_lesson;                       ///< the one open last; empty: none
+    TestAnswers test_before, test_after;           ///< of the test before and after the lessons
 
     /// The progress of a lesson; an empty one if it was never open.
     const LessonProgress& of(const std::string& lesson) const;
@@ -59,7 +61,8 @@ struct Progress {
     std::uint64_t number() const { return number_; }
 
     friend bool operator==(const Progress& a, const Progress& b) {
-        return a.lessons == b.lessons && a.last_lesson == b.last_lesson;
+        return a.lessons == b.lessons && a.last_lesson == b.last_lesson &&
+               a.test_before == b.test_before && a.test_after == b.test_after;
     }
 
   private:
@@ -68,8 +71,8 @@ struct Progress {
 
 /// How far a lesson is done.
 struct LessonScore {
-    int done = 0, all = 0; ///< tasks solved and predictions answered
-    int solved = 0;        ///< tasks of these
+    int done = 0, all = 0; ///< tasks and puzzles solved, predictions answered
+    int solved = 0;        ///< tasks and puzzles of these
     int answered = 0;      ///< predictions of these
     int right = 0;         ///< predictions of these whose first answer was right
     int last_step = 0;     ///< where the student left it

@@ -17,6 +17,7 @@
 #include "lessons/lesson_link.h"
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
+#include "lessons/puzzle_judge.h"
 #include "picture/view_image.h"
 #include "session/content.h"
 #include "support/effort.h"
@@ -223,6 +224,38 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
             break;
         }
     }
+}
+
+TEST_CASE(
+    "Each puzzle is solved by its own order, and by none with a distractor in a line's place") {
+    int puzzles = 0;
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonPuzzle& puzzle : lesson.puzzles) {
+            ++puzzles;
+            INFO(lesson.path << ":" << puzzle.line << " " << puzzle.id);
+            const std::vector<PlacedPiece> right = right_order(puzzle);
+            CHECK(judge_order(puzzle, right).is_right);
+            const std::vector<PuzzleQuestion>& questions = find_exam(puzzle.exam)->questions;
+            for (int piece = static_cast<int>(right.size()); piece < piece_count(puzzle); ++piece) {
+                INFO(piece_text(puzzle, piece));
+                bool is_wrong_by_answer = false;
+                for (std::size_t place = 0; place < right.size(); ++place) {
+                    std::vector<PlacedPiece> order = right;
+                    order[place].piece = piece;
+                    const PuzzleVerdict verdict = judge_order(puzzle, order);
+                    CHECK_FALSE(verdict.is_right);
+                    is_wrong_by_answer =
+                        is_wrong_by_answer ||
+                        std::any_of(questions.begin(), questions.end(),
+                                    [&](const PuzzleQuestion& question) {
+                                        return verdict.sentence.starts_with(question.words + ": ");
+                                    });
+                }
+                CHECK(is_wrong_by_answer);
+            }
+        }
+    }
+    CHECK(puzzles >= 4);
 }
 
 TEST_CASE("The program's answer to each prediction is computed a second time without it") {

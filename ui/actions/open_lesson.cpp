@@ -59,6 +59,7 @@ void take_up_lesson(Ui& ui) {
     Session& session = ui.session;
     LessonView& view = ui.lesson;
     view.predictions.clear();
+    view.puzzles.clear();
     if (session.lesson.empty()) {
         forget_step(view);
         return;
@@ -93,7 +94,10 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
         return;
     }
     const bool is_another = ui.session.lesson != lesson->id;
-    if (is_another) view.predictions.clear();
+    if (is_another) {
+        view.predictions.clear();
+        view.puzzles.clear();
+    }
     // Choosing a lesson, or a place in one, means wanting to see it.
     if (is_another || ui.session.page == SidePage::list) view.drawer_is_open = false;
     forget_step(view);
@@ -350,6 +354,7 @@ void reset_progress(Ui& ui) {
     LessonView& view = ui.lesson;
     view.progress = {};
     view.predictions.clear();
+    view.puzzles.clear();
     view.task_words.clear();
     view.strip.is_recut = true;
     try {

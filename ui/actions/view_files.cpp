@@ -69,7 +69,7 @@ bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (kind == FileSheet::Kind::result) return has_result_ending(name) || is_source_name(name);
     if (kind == FileSheet::Kind::texture) return has_image_ending(name);
     constexpr std::string_view other_data[] = {"presets.toml", "bugs.toml", "glossary.toml",
-                                               "course.toml"};
+                                               "course.toml", "course-test.toml"};
     if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
         return false;
     }

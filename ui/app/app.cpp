@@ -171,6 +171,7 @@ void draw_everything(Ui& ui) {
     guarded(ui, [&] { draw_glossary_sheet(ui, window); });
     guarded(ui, [&] { draw_map_sheet(ui, window); });
     guarded(ui, [&] { draw_event_sheet(ui, window); });
+    guarded(ui, [&] { draw_test_sheet(ui, window); });
     guarded(ui, [&] { draw_file_sheet(ui, window); });
     guarded(ui, [&] { draw_reading_bar(ui, window); });
     draw_ring(ui);

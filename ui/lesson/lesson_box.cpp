@@ -33,7 +33,8 @@ void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>&
 }
 
 std::string without_label(const std::string& text) {
-    for (const std::string_view label : {"**Task.**", "**Prediction.**", "**Look back.**"}) {
+    for (const std::string_view label :
+         {"**Task.**", "**Prediction.**", "**Look back.**", "**Put in order.**", "**Fill in.**"}) {
         if (!text.starts_with(label)) continue;
         const std::size_t start = text.find_first_not_of(" \n", label.size());
         return start == text.npos ? std::string() : text.substr(start);

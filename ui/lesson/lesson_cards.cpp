@@ -68,9 +68,11 @@ bool has_card(const LessonStrip& strip, int part) {
 
 std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     const auto index = static_cast<std::size_t>(part.index);
-    if (part.kind == LessonPart::Kind::task) {
-        return ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id) ? "✓ " : "";
-    }
+    const auto sign_of_task = [&](const std::string& id) {
+        return ui.lesson.progress.is_task_done(lesson.id, id) ? "✓ " : "";
+    };
+    if (part.kind == LessonPart::Kind::task) return sign_of_task(lesson.tasks[index].id);
+    if (part.kind == LessonPart::Kind::puzzle) return sign_of_task(lesson.puzzles[index].id);
     take_up_answer(ui, lesson, lesson.predictions[index]);
     const PredictionView& view = ui.lesson.predictions[lesson.predictions[index].id];
     if (!is_revealed(ui, lesson, lesson.predictions[index])) return "";
@@ -136,6 +138,9 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
                                    : "Shows the next part of this step.";
             if (texts == 1) word.name = "lesson.card.text";
             if (index == shown) word.title += place_of_card(strip, index);
+        } else if (part.kind == Kind::puzzle) {
+            word.title = sign_of(ui, lesson, part) + "code";
+            word.help = "Shows the lines to put in order.";
         } else {
             const bool is_task = part.kind == Kind::task;
             int& number = is_task ? tasks : questions;

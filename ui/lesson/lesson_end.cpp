@@ -29,6 +29,9 @@ std::vector<int> open_steps(const Progress& progress, const Lesson& lesson) {
     for (const LessonTask& task : lesson.tasks) {
         if (!progress.is_task_done(lesson.id, task.id)) steps.insert(task.step);
     }
+    for (const LessonPuzzle& puzzle : lesson.puzzles) {
+        if (!progress.is_task_done(lesson.id, puzzle.id)) steps.insert(puzzle.step);
+    }
     return {steps.begin(), steps.end()};
 }
 
@@ -45,9 +48,10 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
         text += of(score.right, lesson.predictions.size(), "prediction", "predictions") +
                 " right on the first try";
     }
-    if (!lesson.tasks.empty()) {
+    if (task_count(lesson) > 0) {
         text += lesson.predictions.empty() ? "" : ", ";
-        text += of(score.solved, lesson.tasks.size(), "task", "tasks") + " done";
+        text += of(score.solved, static_cast<std::size_t>(task_count(lesson)), "task", "tasks") +
+                " done";
     }
     text += ".";
     const std::vector<int> steps = open_steps(ui.lesson.progress, lesson);

@@ -150,6 +150,17 @@ void draw_map_link(Ui& ui) {
         ui.sheets.show(Sheet::map);
 }
 
+void draw_test_entry(Ui& ui, float width) {
+    if (draw_entry(ui, "lesson.test", "?", palette(ui.options.theme).dim,
+                   "Test before and after the lessons",
+                   ui.lesson.is_strip ? ""
+                                      : "Twelve items: what you know before, and what you know "
+                                        "after, to hand in.",
+                   "", width, "Opens the test.")) {
+        ui.sheets.show(Sheet::test);
+    }
+}
+
 /// The lessons of the course, with their tracks.
 void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
@@ -163,6 +174,7 @@ void draw_lessons(Ui& ui, float width) {
     const bool is_short = ui.lesson.is_strip;
     if (!is_short) draw_map_link(ui);
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
+    draw_test_entry(ui, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
         const Course& course = ui.lesson.lessons.course();

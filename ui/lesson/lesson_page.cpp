@@ -13,6 +13,7 @@
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_end.h"
 #include "ui/lesson/lesson_predictions.h"
+#include "ui/lesson/lesson_puzzles.h"
 #include "ui/lesson/lesson_tasks.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
@@ -81,6 +82,8 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
         return false;
     case LessonPart::Kind::task:
         return !ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id);
+    case LessonPart::Kind::puzzle:
+        return !ui.lesson.progress.is_task_done(lesson.id, lesson.puzzles[index].id);
     case LessonPart::Kind::prediction: {
         const LessonPrediction& prediction = lesson.predictions[index];
         const auto view = ui.lesson.predictions.find(prediction.id);
@@ -162,6 +165,9 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
             draw_prediction(ui, lesson, lesson.predictions[static_cast<std::size_t>(part.index)],
                             width);
             break;
+        case LessonPart::Kind::puzzle:
+            draw_puzzle(ui, lesson, lesson.puzzles[static_cast<std::size_t>(part.index)], width);
+            break;
         case LessonPart::Kind::control:
             draw_lesson_control(ui, lesson.controls[static_cast<std::size_t>(part.index)], width);
             break;
@@ -222,8 +228,8 @@ PageFooter::Open open_below(const Ui& ui, const LessonStep& step) {
     if (!ui.lesson.open_below) return PageFooter::Open::nothing;
     const auto part = static_cast<std::size_t>(*ui.lesson.open_below);
     if (part >= step.parts.size()) return PageFooter::Open::nothing; // a link has led elsewhere
-    const bool is_task = step.parts[part].kind == LessonPart::Kind::task;
-    return is_task ? PageFooter::Open::task : PageFooter::Open::question;
+    const bool is_question = step.parts[part].kind == LessonPart::Kind::prediction;
+    return is_question ? PageFooter::Open::question : PageFooter::Open::task;
 }
 
 } // namespace

@@ -14,6 +14,8 @@
 #include "lessons/lesson_scores.h"
 #include "lessons/lesson_search.h"
 #include "lessons/progress.h"
+#include "lessons/puzzle_desk.h"
+#include "lessons/puzzle_judge.h"
 #include "lessons/stage_note.h"
 #include "text/markdown.h"
 #include "ui/actions/kept_state.h"
@@ -33,6 +35,17 @@ struct PredictionView {
     bool takes_keys = false;    ///< the field of a number has the keyboard from the next frame
     bool is_fresh = false;      ///< just answered: the verdict is scrolled to, and has the keyboard
     bool is_taken_up = false;   ///< a kept answer is shown; after that the student decides
+};
+
+/// A puzzle of the open lesson.
+struct PuzzleView {
+    PuzzleDesk desk;
+    bool is_laid_out = false;             ///< the desk has its pieces
+    std::optional<PuzzleVerdict> verdict; ///< of the last run; none if a line was moved since
+    bool is_fresh = false;                ///< it was just run: what is said is scrolled to
+    int dragged = -1;                     ///< the piece that follows the pointer; -1: none
+    int drag_depth = 1;                   ///< of that piece when it was taken
+    bool drag_from_left = false;          ///< it was not used then
 };
 
 /// What is said about a task of the current step: Markdown.
@@ -109,6 +122,7 @@ struct LessonView {
     FactCache facts;                                            ///< for the conditions of the tasks
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the current step, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
+    std::map<std::string, PuzzleView> puzzles;                  ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
     std::map<std::string, TaskWords> task_words;                ///< by task id
     std::string fresh;         ///< widget of words that have just appeared; empty: none

@@ -11,6 +11,7 @@
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/lesson/lesson_predictions.h"
+#include "ui/lesson/lesson_puzzles.h"
 #include "ui/lesson/lesson_tasks.h"
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
@@ -132,6 +133,8 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     const auto index = static_cast<std::size_t>(step.parts[part].index);
     if (step.parts[part].kind == Kind::task) {
         draw_task_lines(ui, lesson, lesson.tasks[index], width);
+    } else if (step.parts[part].kind == Kind::puzzle) {
+        draw_puzzle_lines(ui, lesson, lesson.puzzles[index], width);
     } else {
         draw_prediction_lines(ui, lesson, lesson.predictions[index], card.page, width);
     }

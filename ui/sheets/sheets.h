@@ -25,6 +25,9 @@ void draw_event_sheet(Ui& ui, ImVec2 window);
 /// The most moments that it lists; if there are more, those around the cursor.
 inline constexpr int most_events = 100'000;
 
+/// The test before and after the lessons: its items one after the other, and what came of them.
+void draw_test_sheet(Ui& ui, ImVec2 window);
+
 /// The words of the lab (F2).
 void draw_glossary_sheet(Ui& ui, ImVec2 window);
 

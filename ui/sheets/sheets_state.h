@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "inspect/event_list.h"
+#include "lessons/course_test.h"
 
 namespace rasterwalk {
 
@@ -39,8 +40,8 @@ struct FileSheet {
 };
 
 /// The reading sheets, which leave the rest of the window usable; the topmost first.
-enum class Sheet : std::uint8_t { keys, glossary, map, events };
-inline constexpr std::size_t sheet_count = 4;
+enum class Sheet : std::uint8_t { keys, glossary, map, events, test };
+inline constexpr std::size_t sheet_count = 5;
 
 /// What the sheet of moments lists, and what it was listed for.
 struct EventSheet {
@@ -51,6 +52,16 @@ struct EventSheet {
     std::string searched;
 };
 
+/// The test before and after the lessons.
+struct TestSheet {
+    std::optional<CourseTest> test; ///< none before the sheet is first opened
+    std::string fault;              ///< why there is none
+    bool is_after = false;          ///< the sitting shown is the one after the lessons
+    int item = 0;                   ///< the one asked
+    bool is_going_back = false;     ///< an item that was answered is shown again
+    std::string name;               ///< of the student, for the report
+};
+
 /// The sheets over the window.
 struct SheetsState {
     FileSheet files;
@@ -58,6 +69,7 @@ struct SheetsState {
     std::array<ImGuiID, sheet_count> parts{};      ///< windows that were last drawn for each
     std::array<std::string, sheet_count> search{}; ///< what each is filtered by
     EventSheet events;
+    TestSheet test;
 
     bool is_open(Sheet sheet) const { return open[static_cast<std::size_t>(sheet)]; }
     void show(Sheet sheet, bool is_shown = true) {

@@ -336,15 +336,21 @@ TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone")
     const Lesson* const lesson = open_lesson_of(driver.ui);
     const int last = static_cast<int>(lesson->steps.size()) - 1;
     driver.hand.leave();
-    // Each key shows another card, and each card of each step is shown.
-    std::size_t turned = 0, there = cards(driver).size();
-    for (int step = 0; turned < 500;) {
+    // Each key shows another card, or more of one that is scrolled, and each card of each step is
+    // shown.
+    std::size_t turned = 0, scrolled = 0, there = cards(driver).size();
+    for (int step = 0; turned + scrolled < 500;) {
         const int card = driver.ui.lesson.strip.card;
         const int here = step;
+        const bool has_more = driver.ui.lesson.has_more_below;
         driver.hand.press(key::page_down);
         driver.hand.leave();
         step = driver.ui.session.step;
-        if (step == here && driver.ui.lesson.strip.card == card) break;
+        if (step == here && driver.ui.lesson.strip.card == card) {
+            if (!has_more) break;
+            ++scrolled;
+            continue;
+        }
         CHECK((step == here ? driver.ui.lesson.strip.card == card + 1
                             : step == here + 1 && driver.ui.lesson.strip.card == 0));
         if (step != here) there += cards(driver).size();
@@ -352,8 +358,10 @@ TEST_CASE("Steps, list and hints of a lesson are reached by the keyboard alone")
     }
     CHECK(driver.ui.session.step == last);
     CHECK(turned + 1 == there);
-    for (std::size_t i = 0; i < turned; ++i)
+    for (std::size_t i = 0; i < turned + scrolled; ++i) {
         driver.hand.press(key::page_up);
+        driver.hand.leave();
+    }
     driver.hand.leave();
     CHECK(driver.ui.session.step == 0);
     CHECK(driver.ui.lesson.strip.card == 0);
