@@ -107,6 +107,9 @@ void add_side_facts(std::vector<Fact>& table) {
                "Cross product of the same two arrows, which is twice the area; positive if the "
                "corners go round clockwise.",
                real(), [](const ArrowProducts& arrows) { return arrows.cross; });
+    add_arrows("triangle.base",
+               "Length of the first of these arrows, from vertices[0] to vertices[1], in pixels.",
+               real(), [](const ArrowProducts& arrows) { return arrows.base; });
     add_sides("triangle.outcode_and",
               "Bits that the outcodes of its three vertices have in common: near 1, far 2, left 4, "
               "right 8, top 16, bottom 32.",

@@ -4,6 +4,7 @@
 // cursor, or can be dragged. The format is described in lessons/README.md.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ namespace rasterwalk {
 /// The colour of a part of a figure: what it means.
 enum class FigureColour : std::uint8_t {
     ink,    ///< of text
-    quiet,  ///< of what may be overlooked
+    quiet,  ///< of what matters less
     edge_1, ///< and the others: of the same meanings in the window
     edge_2,
     edge_3,
@@ -33,7 +34,7 @@ enum class FigureColour : std::uint8_t {
 struct FigureLook {
     FigureColour colour = FigureColour::ink;
     bool is_filled = false; ///< and has no line around it
-    bool is_soft = false;   ///< filled with a breath of its colour
+    bool is_soft = false;   ///< filled with a faint tint of its colour
     bool is_bare = false;   ///< no line around it
     bool is_thin = false, is_thick = false, is_dashed = false;
     bool has_arrow = false;                                    ///< at the end of the line
@@ -92,8 +93,16 @@ struct FigureHandle {
 /// An expression with its place in the file.
 struct FigureExpression {
     Expression expression;
-    float as_written = 0.0f; ///< the number in whose place it stands
-    int line = 0;            ///< of the file, from 1
+    std::optional<float> as_written; ///< the number in whose place it stands; none: other text
+    double slack = 1.0;              ///< how far from that its value may be, for a browser
+    int line = 0;                    ///< of the file, from 1
+};
+
+/// A condition with its place in the file.
+struct FigureCondition {
+    Expression expression;
+    bool is_hidden = false; ///< as written, for a browser
+    int line = 0;           ///< of the file, from 1
 };
 
 /// A figure as read. Places are in its own unit, about one pixel of text of the usual size, from
@@ -104,7 +113,7 @@ struct Figure {
     std::vector<FigureShape> shapes; ///< later ones are drawn over earlier ones
     std::vector<FigureHandle> handles;
     std::vector<FigureExpression> expressions;
-    std::vector<Expression> conditions;
+    std::vector<FigureCondition> conditions;
     std::string style; ///< for a browser, see figure_style()
 };
 
@@ -132,6 +141,7 @@ bool is_same_style(std::string_view a, std::string_view b);
 inline constexpr float largest_figure_side = 2000.0f;
 inline constexpr float largest_figure_number = 1e5f;
 inline constexpr std::size_t most_figure_shapes = 400;
+/// Of places, of groups (two each), expressions and conditions.
 inline constexpr std::size_t most_figure_numbers = 4'000;
 inline constexpr std::size_t most_figure_handles = 8;
 inline constexpr int most_handle_stops = 1'000;

@@ -18,8 +18,29 @@ namespace {
 constexpr int circle_corners = 48;
 constexpr int curve_steps = 16;
 
-/// How far a number of the file may be from what its expression gives.
-constexpr double stale_distance = 1.0;
+std::optional<double> followed_now(const Figure& figure, int expression, const FactReader& fact) {
+    if (expression < 0) return std::nullopt;
+    return number_of(figure.expressions[static_cast<std::size_t>(expression)].expression, fact);
+}
+
+float number_now(const Figure& figure, const FigureNumber& number, const FactReader& fact) {
+    const std::optional<double> value = followed_now(figure, number.follows, fact);
+    if (!value || !std::isfinite(*value)) return number.value;
+    const auto most = static_cast<double>(largest_figure_number);
+    return static_cast<float>(std::clamp(*value, -most, most));
+}
+
+/// The first place of a shape, for which only the groups around it are evaluated.
+glm::vec2 first_place_now(const Figure& figure, const FigureShape& shape, const FactReader& fact) {
+    glm::vec2 place{number_now(figure, shape.numbers[0], fact),
+                    number_now(figure, shape.numbers[1], fact)};
+    for (int i = shape.group; i >= 0;) {
+        const FigureGroup& group = figure.groups[static_cast<std::size_t>(i)];
+        place += glm::vec2(number_now(figure, group.x, fact), number_now(figure, group.y, fact));
+        i = group.outer;
+    }
+    return place;
+}
 
 /// The figure's numbers, conditions and groups under some facts.
 class FigureState {
@@ -37,16 +58,9 @@ class FigureState {
         }
     }
 
-    float number(const FigureNumber& number) const {
-        const std::optional<double> value = followed(number.follows);
-        if (!value || !std::isfinite(*value)) return number.value;
-        const auto most = static_cast<double>(largest_figure_number);
-        return static_cast<float>(std::clamp(*value, -most, most));
-    }
+    float number(const FigureNumber& number) const { return number_now(figure_, number, fact_); }
     std::optional<double> followed(int expression) const {
-        if (expression < 0) return std::nullopt;
-        return number_of(figure_.expressions[static_cast<std::size_t>(expression)].expression,
-                         fact_);
+        return followed_now(figure_, expression, fact_);
     }
     bool is_shown(const FigureShape& shape) const {
         return is_shown_[static_cast<std::size_t>(shape.group)] && holds_now(shape.shown_if);
@@ -63,7 +77,7 @@ class FigureState {
   private:
     bool holds_now(int condition) const {
         return condition < 0 ||
-               holds(figure_.conditions[static_cast<std::size_t>(condition)], fact_);
+               holds(figure_.conditions[static_cast<std::size_t>(condition)].expression, fact_);
     }
 
     const Figure& figure_;
@@ -152,6 +166,17 @@ FigureText text_of(const FigureShape& shape, const FigureState& state) {
     return text;
 }
 
+/// Has every name in a condition a value that stays while frames are played? A figure that grows
+/// with the cursor shows its end in a browser, and its beginning when the step opens.
+bool is_settled(const Expression& condition, const FactReader& fact) {
+    for (std::size_t i = 0; i < condition.meanings.size(); ++i) {
+        if (!condition.is_leaf(static_cast<int>(i), ExpressionMeaning::Leaf::fact)) continue;
+        const std::string& name = condition.meanings[i].name;
+        if (name.starts_with("cursor") || !is_there(fact(name))) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 FigureDrawing draw_figure(const Figure& figure, const FactReader& fact) {
@@ -188,8 +213,7 @@ float dragged_value(const Figure& figure, const FigureHandle& handle, glm::vec2 
     for (int stop = 0; stop <= stops; ++stop) {
         const float value = slider_stop(range, range.smallest, stop);
         tried = static_cast<double>(value);
-        const FigureState state(figure, with_tried);
-        const float distance = glm::distance(state.place(shape, 0), to);
+        const float distance = glm::distance(first_place_now(figure, shape, with_tried), to);
         if (distance >= nearest) continue;
         nearest = distance;
         result = value;
@@ -201,11 +225,20 @@ std::vector<std::string> stale_numbers(const Figure& figure, const FactReader& f
     std::vector<std::string> sentences;
     for (const FigureExpression& each : figure.expressions) {
         const std::optional<double> value = number_of(each.expression, fact);
-        if (!value || std::abs(*value - static_cast<double>(each.as_written)) <= stale_distance)
+        if (!value || !each.as_written ||
+            std::abs(*value - static_cast<double>(*each.as_written)) <= each.slack)
             continue;
         sentences.push_back(fmt::format(
             "line {}: the file shows {} where '{}' is {} when the step opens.", each.line,
-            number_text(each.as_written), each.expression.tree.text, significant(*value, 5)));
+            number_text(*each.as_written), each.expression.tree.text, significant(*value, 5)));
+    }
+    for (const FigureCondition& each : figure.conditions) {
+        if (!is_settled(each.expression, fact)) continue;
+        const bool is_shown = holds(each.expression, fact);
+        if (is_shown != each.is_hidden) continue;
+        sentences.push_back(fmt::format("line {}: the file {} what '{}' {} when the step opens.",
+                                        each.line, is_shown ? "hides" : "shows",
+                                        each.expression.tree.text, is_shown ? "shows" : "hides"));
     }
     return sentences;
 }

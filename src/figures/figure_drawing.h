@@ -47,8 +47,10 @@ FigureDrawing draw_figure(const Figure& figure, const FactReader& fact);
 float dragged_value(const Figure& figure, const FigureHandle& handle, glm::vec2 to,
                     const FactReader& fact);
 
-/// What an expression gives that is not what the file shows in its place, a sentence for each, with
-/// the line of the file: a browser would show something else than the window.
+/// What an expression gives that is not what the file shows in its place, and each condition that
+/// hides what the file shows or shows what it hides, a sentence for each, with the line of the
+/// file: a browser would show something different from the window. Conditions on the cursor are
+/// left out: a figure that grows with it shows its end in a browser.
 std::vector<std::string> stale_numbers(const Figure& figure, const FactReader& fact);
 
 } // namespace rasterwalk

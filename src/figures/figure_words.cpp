@@ -90,7 +90,8 @@ FigurePath figure_path(std::string_view text) {
         if (command == 'Z' && at < text.size())
             throw UsageError("Z is the last command of a path.");
     }
-    if (path.commands.size() < 2) throw UsageError("a path has at least two commands.");
+    // A place is two numbers.
+    if (path.numbers.size() < 4) throw UsageError("a path has at least two places.");
     return path;
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -68,6 +70,7 @@ class FigureReader {
         }
         if (tag.name == "g") {
             read_group(element);
+            limit_numbers(tag);
             return;
         }
         read_shape(element);
@@ -76,9 +79,15 @@ class FigureReader {
             fail(tag.line, "nothing may be in <" + tag.name + ">.");
         if (figure_.shapes.size() > most_figure_shapes)
             fail(tag.line, fmt::format("a figure may have at most {} shapes.", most_figure_shapes));
-        if (number_count_ > most_figure_numbers)
-            fail(tag.line,
-                 fmt::format("a figure may have at most {} numbers.", most_figure_numbers));
+        limit_numbers(tag);
+    }
+
+    /// Expressions, conditions and groups are evaluated in each frame, so they count, too.
+    void limit_numbers(const FigureTag& tag) const {
+        const std::size_t count = number_count_ + 2 * figure_.groups.size() +
+                                  figure_.expressions.size() + figure_.conditions.size();
+        if (count <= most_figure_numbers) return;
+        fail(tag.line, fmt::format("a figure may have at most {} numbers.", most_figure_numbers));
     }
 
     void read_head(FigureElement& element) {
@@ -143,16 +152,17 @@ class FigureReader {
     }
 
     /// The expression in an attribute, as an index; -1: there is none.
-    int expression(FigureElement& element, std::string_view name, float as_written) {
+    int expression(FigureElement& element, std::string_view name, std::optional<float> as_written) {
         const FigureAttribute* const found = element.take(name);
         if (found == nullptr) return -1;
         add_expression(element, *found, found->value, as_written);
         return static_cast<int>(figure_.expressions.size()) - 1;
     }
     void add_expression(const FigureElement& element, const FigureAttribute& attribute,
-                        std::string_view text, float as_written) {
+                        std::string_view text, std::optional<float> as_written) {
         element.attempt(attribute, [&] {
-            figure_.expressions.push_back({parse_expression(text), as_written, attribute.line});
+            figure_.expressions.push_back(
+                {parse_expression(text), as_written, 1.0, attribute.line});
         });
     }
 
@@ -163,8 +173,10 @@ class FigureReader {
         if (display != nullptr && (display->value != "none" || found == nullptr))
             element.fail(display->line, "display is \"none\", and goes with data-if.");
         if (found == nullptr) return -1;
-        element.attempt(*found,
-                        [&] { figure_.conditions.push_back(parse_condition(found->value)); });
+        element.attempt(*found, [&] {
+            figure_.conditions.push_back(
+                {parse_condition(found->value), display != nullptr, found->line});
+        });
         return static_cast<int>(figure_.conditions.size()) - 1;
     }
 
@@ -352,13 +364,22 @@ class FigureReader {
 
     /// A number in place of the text.
     void read_value(FigureElement& element, FigureSpan& span) {
-        span.follows = expression(element, "data-value", 0.0f);
+        span.follows = expression(element, "data-value", std::nullopt);
+        set_slack(span);
         const FigureAttribute* const digits = element.take("data-digits");
         if (digits == nullptr) return;
         const std::optional<int> count = parse_int(digits->value);
         if (!count || *count < 0 || *count > 6 || span.follows < 0)
             fail(digits->line, "data-digits is 0 to 6, and goes with data-value.");
         span.digits = *count;
+        set_slack(span);
+    }
+
+    /// A number is written as it is shown, to its last digit.
+    void set_slack(const FigureSpan& span) {
+        if (span.follows < 0) return;
+        figure_.expressions[static_cast<std::size_t>(span.follows)].slack =
+            0.5001 * std::pow(10.0, -span.digits);
     }
 
     void add_span(const FigureSpan& like, std::string_view text) {
@@ -375,13 +396,19 @@ class FigureReader {
             is_after_blank = is_blank;
         }
         if (span.follows >= 0) {
-            // A number that is not one is drawn, but cannot be compared.
-            const auto written =
-                parse_number(trimmed(text), -largest_figure_number, largest_figure_number);
+            // Other text than a number is drawn, but cannot be compared.
             figure_.expressions[static_cast<std::size_t>(span.follows)].as_written =
-                written.value_or(0.0f);
+                written_number(text);
         }
         if (!span.text.empty()) shape.spans.push_back(std::move(span));
+    }
+
+    /// The number that a text is, whose minus may be a hyphen or a true minus sign.
+    static std::optional<float> written_number(std::string_view text) {
+        constexpr std::string_view minus = "−";
+        std::string word(trimmed(text));
+        if (word.starts_with(minus)) word.replace(0, minus.size(), "-");
+        return parse_number(word, -largest_figure_number, largest_figure_number);
     }
 
     std::vector<FigureTag> tags_;

@@ -47,7 +47,7 @@ std::optional<ArrowProducts> arrows_of(PolygonCorners corners) {
         return glm::dvec2(corners[i].column - corners[0].column, corners[i].row - corners[0].row);
     };
     const glm::dvec2 u = arrow_to(1), v = arrow_to(2);
-    return ArrowProducts{glm::dot(u, v), u.x * v.y - u.y * v.x};
+    return ArrowProducts{glm::dot(u, v), u.x * v.y - u.y * v.x, glm::length(u)};
 }
 
 } // namespace rasterwalk

@@ -30,6 +30,7 @@ struct ArrowProducts {
     double dot = 0.0;   ///< of both
     double cross = 0.0; ///< u.x v.y - u.y v.x: twice the area, positive if the corners go round
                         ///< clockwise, which is the front
+    double base = 0.0;  ///< length of the first, in pixels
 };
 
 /// None for a polygon that clipping has left with more or fewer than three corners.

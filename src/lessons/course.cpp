@@ -57,6 +57,8 @@ Track course_track(const TomlInput& input, std::vector<std::string>& known) {
     input.allow_only({"title", "about", "needs", "lessons"});
     Track track{input.text("title"), input.text("about"), input.text("needs"), {}};
     for (const toml::node& node : input.list("lessons")) {
+        if (known.size() >= most_lessons)
+            input.fail(node, fmt::format("a course may have at most {} lessons.", most_lessons));
         track.lessons.push_back(course_lesson(input.table(node, "a lesson"), known));
         known.push_back(track.lessons.back().id);
     }
@@ -78,6 +80,8 @@ Course parse_course(std::string_view text, const std::string& path) {
     }
     std::vector<std::string> known;
     for (const toml::node& node : input.list("track")) {
+        if (course.tracks.size() >= most_tracks)
+            input.fail(node, fmt::format("a course may have at most {} tracks.", most_tracks));
         const std::string what = fmt::format("track {}", course.tracks.size() + 1);
         course.tracks.push_back(course_track(input.table(node, what), known));
     }

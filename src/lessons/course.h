@@ -65,6 +65,8 @@ std::vector<std::string> needs_of(const Course& course, std::string_view id);
 /// Throws InputError with file:line if the folder of a course has no file for one of its lessons.
 void check_course_files(const Course& course, const std::string& folder);
 
-inline constexpr std::size_t most_needs = 12; ///< of a lesson
+inline constexpr std::size_t most_tracks = 6;
+inline constexpr std::size_t most_lessons = 100; ///< of a course, or of a folder
+inline constexpr std::size_t most_needs = 12;    ///< of a lesson
 
 } // namespace rasterwalk

@@ -63,10 +63,12 @@ std::string said_in(const TestAnswers& answers, const TestItem& item) {
     return found == answers.end() ? std::string() : found->second;
 }
 
-/// The answer with a sign for whether it is right; a dash if there is none.
-std::string marked_answer(const TestAnswers& answers, const TestItem& item) {
+/// The answer; a dash if there is none.
+/// @param is_marked with a sign for whether it is right
+std::string written_answer(const TestAnswers& answers, const TestItem& item, bool is_marked) {
     const std::string said = said_in(answers, item);
     if (said.empty()) return "–";
+    if (!is_marked) return said;
     return (said == item.choices.front() ? "✓ " : "✗ ") + said;
 }
 
@@ -77,6 +79,11 @@ std::string score_words(const CourseTest& test, const TestAnswers& answers) {
     if (score.answered < static_cast<int>(test.items.size()))
         words += fmt::format(", {} answered", score.answered);
     return words;
+}
+
+/// Marks before the second sitting would spoil it.
+bool shows_marks(const CourseTest& test, const TestAnswers& after) {
+    return score_of_test(test, after).answered == static_cast<int>(test.items.size());
 }
 
 constexpr std::string_view page_style = R"(<style>
@@ -117,12 +124,13 @@ std::string test_page(const CourseTest& test, const TestAnswers& before, const T
     if (!name.empty()) page += "<p>" + in_html(name) + "</p>\n";
     page += "<p>Before the lessons: " + score_words(test, before) +
             ".<br>After the lessons: " + score_words(test, after) + ".</p>\n";
+    const bool is_marked = shows_marks(test, after);
     page += "<table>\n<tr><th>lesson</th><th>item</th><th>before</th><th>after</th></tr>\n";
     for (const TestItem& item : test.items) {
-        page +=
-            fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        lesson_number(item.lesson), in_html(item.question),
-                        in_html(marked_answer(before, item)), in_html(marked_answer(after, item)));
+        page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                            lesson_number(item.lesson), in_html(item.question),
+                            in_html(written_answer(before, item, is_marked)),
+                            in_html(written_answer(after, item, is_marked)));
     }
     return page + "</table>\n</body>\n</html>\n";
 }
@@ -133,9 +141,11 @@ std::string test_text(const CourseTest& test, const TestAnswers& before, const T
     if (!name.empty()) text.append(name).append("\n");
     text += "Before the lessons: " + score_words(test, before) + ".\n";
     text += "After the lessons: " + score_words(test, after) + ".\n";
+    const bool is_marked = shows_marks(test, after);
     for (const TestItem& item : test.items) {
         text += fmt::format("\n{}. {}\n   before: {}\n   after:  {}\n", lesson_number(item.lesson),
-                            item.question, marked_answer(before, item), marked_answer(after, item));
+                            item.question, written_answer(before, item, is_marked),
+                            written_answer(after, item, is_marked));
     }
     return text;
 }

@@ -39,7 +39,8 @@ struct TestScore {
 };
 TestScore score_of_test(const CourseTest& test, const TestAnswers& answers);
 
-/// Both sittings side by side, as a page to hand in or as text.
+/// Both sittings side by side, as a page to hand in or as text. Which answers are right is marked
+/// once the second sitting is complete.
 /// @param name of the student; may be empty
 std::string test_page(const CourseTest& test, const TestAnswers& before, const TestAnswers& after,
                       std::string_view name);

@@ -1,7 +1,6 @@
 #include "lessons/lesson_advice.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -19,15 +18,6 @@
 namespace rasterwalk {
 
 namespace {
-
-/// Words of the glossary that everyday English has too, so that using one proves nothing.
-constexpr std::array<std::string_view, 15> everyday_words{
-    "bias",  "cursor",  "drift",  "edge",   "fan",  "fate",     "margin", "over",
-    "owner", "resolve", "sample", "shadow", "span", "triangle", "wrap"};
-
-bool is_everyday(std::string_view word) {
-    return std::find(everyday_words.begin(), everyday_words.end(), word) != everyday_words.end();
-}
 
 /// How a link writes a blank.
 constexpr std::string_view linked_blank = "%20";
@@ -96,7 +86,8 @@ class ParagraphReader {
                 if (end != line.npos) i = end;
                 put(" ", false);
             } else if (sign == '*') {
-                const bool is_bullet = i == 0 && line.size() > 1 && line[1] == ' ';
+                const bool is_bullet =
+                    line.find_first_not_of(" \t") == i && i + 1 < line.size() && line[i + 1] == ' ';
                 while (i + 1 < line.size() && line[i + 1] == '*')
                     ++i;
                 is_emphasis_ = is_emphasis_ != !is_bullet;
@@ -184,7 +175,7 @@ void advise_on_words(const Lesson& lesson, std::span<const Term> glossary,
     const StepParagraphs steps = paragraphs_of(lesson);
     for (const Term& term : glossary) {
         const std::string word = in_small_letters(term.word);
-        if (is_everyday(word) || known.count(word) > 0) continue;
+        if (term.is_everyday || known.count(word) > 0) continue;
         const TermPlaces places = places_of(steps, word);
         if (places.used_step < 0 && places.explained_step < 0) continue;
         known.insert(word); // is said once
@@ -253,7 +244,7 @@ double minutes_by_length(const Lesson& lesson) {
     int words = 0;
     for (const LessonStep& step : lesson.steps)
         words += count_words(step);
-    return words / 130.0 + static_cast<double>(lesson.predictions.size() + lesson.tasks.size());
+    return words / 130.0 + static_cast<double>(lesson.predictions.size()) + task_count(lesson);
 }
 
 std::vector<std::vector<Fault>> advice_on(std::span<const Lesson> lessons,

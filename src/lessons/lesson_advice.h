@@ -15,8 +15,8 @@ namespace rasterwalk {
 /// and formulas. Its heading, tasks, predictions, controls and footnotes do not count.
 int count_words(const LessonStep& step);
 
-/// How long a lesson takes by its length: a minute for 130 words, and one for each prediction and
-/// each task. Minutes.
+/// How long a lesson takes by its length: a minute for 130 words, and one for each prediction,
+/// each task and each puzzle. Minutes.
 double minutes_by_length(const Lesson& lesson);
 
 /// Advice on each lesson of a course, in the order of its lines, with the index of the lesson. A

@@ -90,7 +90,4 @@ int lesson_number(std::string_view id);
 /// if none is missing, or more than one.
 int missing_number(const std::vector<Lesson>& lessons, std::size_t index);
 
-/// The most lessons that are read from a folder.
-inline constexpr std::size_t most_lessons = 100;
-
 } // namespace rasterwalk

@@ -14,10 +14,6 @@ namespace {
 
 constexpr int indent = 4;
 
-} // namespace
-
-namespace {
-
 /// Lines that the student puts in place.
 int own_line_count(const LessonPuzzle& puzzle) {
     return static_cast<int>(puzzle.lines.size()) - puzzle.given - puzzle.given_after;
@@ -37,6 +33,11 @@ const std::string& piece_text(const LessonPuzzle& puzzle, int piece) {
     const int own = own_line_count(puzzle);
     if (piece < own) return puzzle.lines[static_cast<std::size_t>(puzzle.given + piece)].text;
     return puzzle.distractors[static_cast<std::size_t>(piece - own)];
+}
+
+bool has_same_pieces(const LessonPuzzle& a, const LessonPuzzle& b) {
+    return a.lines == b.lines && a.given == b.given && a.given_after == b.given_after &&
+           a.distractors == b.distractors && a.order == b.order;
 }
 
 std::vector<PlacedPiece> right_order(const LessonPuzzle& puzzle) {

@@ -41,6 +41,9 @@ bool is_gap(const LessonPuzzle& puzzle);
 int piece_count(const LessonPuzzle& puzzle);
 const std::string& piece_text(const LessonPuzzle& puzzle, int piece);
 
+/// Do the numbers of the pieces mean the same lines in both, and are they offered alike?
+bool has_same_pieces(const LessonPuzzle& a, const LessonPuzzle& b);
+
 /// A piece where the student has put it.
 struct PlacedPiece {
     int piece = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -281,7 +282,7 @@ class Reader {
         if (count < static_cast<std::size_t>(most_lesson_questions)) return true;
         if (!has_reported_questions_) {
             faults_.add(line, "a lesson may have at most " + std::to_string(most_lesson_questions) +
-                                  " tasks and predictions.");
+                                  " tasks, puzzles and predictions.");
         }
         has_reported_questions_ = true;
         return false;
@@ -330,16 +331,16 @@ class Reader {
         lesson_.predictions.push_back(std::move(prediction));
     }
 
-    /// The lines of the fenced code that comes next.
-    std::vector<std::string_view> take_code(const LessonComment& comment) {
+    /// The lines of the fenced code that comes next; none, which is reported, if none comes.
+    std::optional<std::vector<std::string_view>> take_code(const LessonComment& comment) {
         while (next_ < lines_.size() && trimmed(lines_[next_]).empty())
             ++next_;
-        std::vector<std::string_view> code;
         if (next_ == lines_.size() || !is_fence(lines_[next_])) {
             faults_.add(comment.line, "the text of the block 'order' must be followed by its code, "
                                       "between lines of ```.");
-            return code;
+            return std::nullopt;
         }
+        std::vector<std::string_view> code;
         code_line_ = line_number();
         ++next_;
         while (next_ < lines_.size() && !is_fence(lines_[next_]))
@@ -352,9 +353,9 @@ class Reader {
     void read_order(const LessonComment& comment) {
         const int quote_line = line_number();
         std::string text = take_text(comment);
-        const std::vector<std::string_view> code = take_code(comment);
-        if (!comment.is_good || code.empty() || !has_room_for_question(comment.line)) return;
-        LessonPuzzle puzzle = read_puzzle(comment.table, comment.line, code, code_line_, faults_);
+        const std::optional<std::vector<std::string_view>> code = take_code(comment);
+        if (!comment.is_good || !code || !has_room_for_question(comment.line)) return;
+        LessonPuzzle puzzle = read_puzzle(comment.table, comment.line, *code, code_line_, faults_);
         if (puzzle.lines.empty() || !is_new_id(puzzle.id, puzzle.line)) return;
         puzzle.text = std::move(text);
         puzzle.step = step_number();

@@ -21,7 +21,8 @@ std::string fault_of_lines(const LessonPuzzle& puzzle) {
     const std::vector<PuzzleLine>& lines = puzzle.lines;
     if (lines.size() > static_cast<std::size_t>(most_puzzle_lines))
         return fmt::format("the code may have at most {} lines besides braces.", most_puzzle_lines);
-    if (lines.front().depth != 0) return "the first line must name the function, not indented.";
+    if (lines.front().depth != 0)
+        return "the first line must name the function and must not be indented.";
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const int depth = lines[i].depth;
         if (depth < 1 || depth > deepest_puzzle || depth > depth_after(lines[i - 1]))

@@ -183,6 +183,8 @@ void Ask() {
 }
 )";
 
+constexpr std::size_t depth_columns = 4; // WIDTH
+
 std::vector<PuzzleQuestion> depth_questions() {
     std::vector<PuzzleQuestion> questions;
     questions.push_back(
@@ -349,7 +351,8 @@ std::vector<PuzzleExam> make_exams() {
          before_depth,
          after_depth,
          depth_questions(),
-         {"the colour of pixel #", "the depth of pixel #"}},
+         {"the colour of pixel #", "the depth of pixel #"},
+         depth_columns},
         {"line",
          before_line,
          after_line,

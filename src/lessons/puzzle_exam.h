@@ -2,6 +2,7 @@
 
 // The questions that a student's function is asked when a puzzle is judged.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,7 @@ namespace rasterwalk {
 
 /// What a function is asked once.
 struct PuzzleQuestion {
-    std::string words; ///< how the verdict names it: "From (4, 2) to (1, 8), 4 samples"
+    std::string words; ///< how the verdict names it: "From (4, 2) to (1, 8) with 4 samples"
     std::vector<float> given;
 };
 
@@ -24,6 +25,9 @@ struct PuzzleExam {
     std::vector<PuzzleQuestion> questions;
     /// How the numbers of an answer are named, in turn; # is replaced by the round: "result[#].x".
     std::vector<std::string_view> names;
+    /// Of a picture with a round for each pixel, row by row: # is replaced by the pixel's place,
+    /// "(1, 2)". 0: the answer is no picture.
+    std::size_t columns = 0;
 };
 
 /// The exam of this name; null if there is none. `interpolate` asks for the samples of a line,

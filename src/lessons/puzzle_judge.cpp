@@ -24,6 +24,10 @@ namespace {
 /// Lines that a function may begin for one question: many more than any right one needs.
 constexpr std::int64_t most_begun_lines = 20'000;
 
+/// Words of memory that its vectors may have: more than an endless loop adds in so many lines.
+/// Clearing them takes time as well.
+constexpr std::int64_t most_vector_words = 3 * most_begun_lines;
+
 constexpr std::string_view puzzle_file = "code";
 
 int line_count(std::string_view text) {
@@ -53,6 +57,7 @@ class Examinee {
           machine_(std::make_shared<const CodeProgram>(
               compile_code(std::string(exam.before) + source_of(lines) + std::string(exam.after),
                            std::string(puzzle_file)))) {
+        machine_.allow_words(most_vector_words);
         machine_.begin();
     }
 
@@ -126,8 +131,12 @@ std::string answer_number(float value) {
 std::string name_of_answer(const PuzzleExam& exam, std::size_t place) {
     std::string name(exam.names[place % exam.names.size()]);
     const std::size_t mark = name.find('#');
-    if (mark != name.npos) name.replace(mark, 1, std::to_string(place / exam.names.size()));
-    return name;
+    if (mark == name.npos) return name;
+    const std::size_t round = place / exam.names.size();
+    const std::string words =
+        exam.columns == 0 ? std::to_string(round)
+                          : fmt::format("({}, {})", round % exam.columns, round / exam.columns);
+    return name.replace(mark, 1, words);
 }
 
 /// Floats that were added up in a different order are equal, too.

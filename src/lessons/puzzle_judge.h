@@ -18,7 +18,7 @@ struct PuzzleVerdict {
 };
 
 /// Asks a function all questions of an exam. A function is right if its answers are those of the
-/// right one. One that does not understand itself, fails, or does not end is wrong.
+/// right one. One that is not understood, fails, or does not end is wrong.
 /// @param lines the function
 /// @param right one that answers all questions
 PuzzleVerdict judge_function(const PuzzleExam& exam, const std::vector<PuzzleLine>& lines,

@@ -38,7 +38,8 @@ int next_square(const WarnockSquares& squares, int square, Granularity step) {
 int previous_square(const WarnockSquares& squares, int square, Granularity step) {
     if (square <= 0) return 0;
     const int before = square - 1;
-    if (in_time(step) == Granularity::moment || squares[before].depth < quarter_depth) return before;
+    if (in_time(step) == Granularity::moment || squares[before].depth < quarter_depth)
+        return before;
     const bool is_end = square >= squares.count();
     const int depth = is_end ? quarter_depth : squares[square].depth;
     switch (step) {

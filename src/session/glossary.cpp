@@ -13,12 +13,21 @@ bool comes_before(std::string_view a, std::string_view b) {
     return in_small_letters(a) < in_small_letters(b);
 }
 
+bool is_marked_everyday(const TomlInput& entry) {
+    const toml::node* const node = entry.find("everyday");
+    if (node == nullptr) return false;
+    const toml::value<bool>* const value = node->as_boolean();
+    if (value == nullptr) entry.fail(*node, "'everyday' must be true or false.");
+    return value->get();
+}
+
 } // namespace
 
 std::vector<Term> parse_glossary(std::string_view text, const std::string& path) {
     const auto read = [](const TomlInput& entry, const std::vector<Term>& terms) {
-        entry.allow_only({"word", "sentence", "section"});
-        Term term{entry.text("word"), entry.text("sentence"), entry.text("section")};
+        entry.allow_only({"word", "sentence", "section", "everyday"});
+        Term term{entry.text("word"), entry.text("sentence"), entry.text("section"),
+                  is_marked_everyday(entry)};
         if (!terms.empty() && !comes_before(terms.back().word, term.word)) {
             entry.fail("the term '" + term.word + "' comes after '" + terms.back().word +
                        "', but terms must be sorted and must not repeat.");

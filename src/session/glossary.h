@@ -9,8 +9,9 @@ namespace rasterwalk {
 /// A word of the lab.
 struct Term {
     std::string word;
-    std::string sentence; ///< what it means, one sentence
-    std::string section;  ///< of the lab
+    std::string sentence;     ///< what it means, one sentence
+    std::string section;      ///< of the lab
+    bool is_everyday = false; ///< everyday English has it too, so that using it proves nothing
 };
 
 /// Reads a glossary (lessons/glossary.toml): terms in alphabetical order, each once. Throws

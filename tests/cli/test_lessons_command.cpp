@@ -61,6 +61,8 @@ TEST_CASE("'rasterwalk lessons' lists the lessons and their progress") {
         progress.record_step(edges.id, step);
     for (const LessonTask& task : edges.tasks)
         progress.record_task(edges.id, task.id);
+    for (const LessonPuzzle& puzzle : edges.puzzles)
+        progress.record_task(edges.id, puzzle.id);
     for (const LessonPrediction& prediction : edges.predictions)
         progress.record_answer(edges.id, prediction.id, {"1", false});
     progress.record_step("05-row-table", 2);

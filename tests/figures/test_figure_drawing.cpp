@@ -109,6 +109,43 @@ TEST_CASE("A number of the file that its expression contradicts is named") {
     CHECK(stale_numbers(figure, facts_of({})).empty());
 }
 
+TEST_CASE("A number in a text is as exact as its digits, and other text is not compared") {
+    const auto stale = [](const std::string& text, double yaw) {
+        return stale_numbers(figure_of("<text x='0' y='0' data-value='camera.yaw' "
+                                       "data-digits='1'>" +
+                                       text + "</text>"),
+                             facts_of({{"camera.yaw", yaw}}))
+            .size();
+    };
+    CHECK(stale("0.3", 0.26) == 0);
+    CHECK(stale("0.3", 0.4) == 1);
+    CHECK(stale("−0.5", -0.5) == 0);
+    CHECK(stale("−0.5", 0.5) == 1);
+    CHECK(stale("much", 7.0) == 0);
+}
+
+TEST_CASE("A part that the file hides or shows against its condition is named") {
+    const auto stale = [](const std::string& display, const std::map<std::string, Value>& facts) {
+        return stale_numbers(figure_of("<rect x='1' y='2' width='3' height='4' " + display +
+                                       " data-if='camera.yaw &gt; 0'/>"),
+                             facts_of(facts));
+    };
+    CHECK(stale("", {{"camera.yaw", 1.0}}).empty());
+    CHECK(stale("display='none'", {{"camera.yaw", -1.0}}).empty());
+    CHECK(stale("", {}).empty());
+    // What appears with the cursor is shown in the file.
+    CHECK(stale_numbers(figure_of("<rect x='1' y='2' width='3' height='4' "
+                                  "data-if='cursor.triangle &gt; 0'/>"),
+                        facts_of({{"cursor.triangle", 0.0}}))
+              .empty());
+    CHECK(stale("", {{"camera.yaw", -1.0}}) ==
+          std::vector<std::string>{
+              "line 1: the file shows what 'camera.yaw > 0' hides when the step opens."});
+    CHECK(stale("display='none'", {{"camera.yaw", 1.0}}) ==
+          std::vector<std::string>{
+              "line 1: the file hides what 'camera.yaw > 0' shows when the step opens."});
+}
+
 TEST_CASE("No number makes a figure draw without bounds") {
     const Figure figure =
         figure_of("<line x1='0' y1='0' x2='1' y2='1' data-x2='camera.focal_length'/>");

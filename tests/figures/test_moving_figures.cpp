@@ -55,23 +55,58 @@ TEST_CASE("The hole, the place in the picture and the corner are on one ray") {
     const Figure figure = shipped("ray");
     for (const double focal_length : {250.0, 500.0, 730.0}) {
         for (const double z : {-4.0, -3.001, -2.5}) {
+            const double x = z < -3.5 ? 0.6 : -0.8;
             const NamedValues values{{"camera.focal_length", focal_length},
                                      {"camera.position.z", z},
-                                     {"vertex.world_x", -0.8},
+                                     {"vertex.world_x", x},
                                      {"vertex.world_z", -1.0}};
             const FigureDrawing drawing = draw_figure(figure, reader_of(values));
             const std::vector<glm::vec2> ray = lines_in(drawing, FigureColour::pass)[0].places;
             const glm::vec2 seen = lines_in(drawing, FigureColour::left)[0].places[1];
             CHECK(seen.x - ray[0].x == Approx(focal_length / 10.0));
             CHECK(std::abs(area_of(ray[0], ray[1], seen)) < 0.1f);
+            // From above, right is down.
+            CHECK((seen.y > ray[0].y) == (x > 0.0));
+            // The arrow of p_z is as long as the way to the corner, on the scale of the drawing.
+            const std::vector<glm::vec2> depth = lines_in(drawing, FigureColour::edge_2)[0].places;
+            CHECK(depth.front().x == Approx(ray[0].x));
+            CHECK(depth.back().x == Approx(ray[1].x));
+            CHECK((ray[1].x - ray[0].x) / (-1.0 - z) == Approx((ray[1].y - ray[0].y) / x));
             // The number is the projection.
             const auto text = std::find_if(
                 drawing.texts.begin(), drawing.texts.end(),
                 [](const FigureText& each) { return each.spans[0].text.starts_with("x = "); });
             REQUIRE(text != drawing.texts.end());
-            CHECK(std::stod(text->spans[1].text) ==
-                  Approx(focal_length * 0.8 / (-1.0 - z)).margin(0.51));
+            std::string number = text->spans[1].text;
+            const std::string minus = "−";
+            if (number.starts_with(minus)) number.replace(0, minus.size(), "-");
+            CHECK(std::stod(number) == Approx(focal_length * x / (-1.0 - z)).margin(0.51));
         }
+    }
+}
+
+TEST_CASE("The shadow of v on u is right wherever the corners are put") {
+    const Figure figure = shipped("shadow-behind");
+    const glm::dvec2 arrows[][2]{{{6, 0}, {-6, -8}}, {{3, 4}, {5, 1}}, {{0, -2}, {-3, 2}}};
+    for (const auto& [u, v] : arrows) {
+        const NamedValues values{{"triangle.dot", glm::dot(u, v)},
+                                 {"triangle.cross", u.x * v.y - u.y * v.x},
+                                 {"triangle.base", glm::length(u)}};
+        const FigureDrawing drawing = draw_figure(figure, reader_of(values));
+        const auto arrow = [&](FigureColour colour) {
+            const std::vector<glm::vec2> places = lines_in(drawing, colour)[0].places;
+            return glm::dvec2(places.back() - places.front());
+        };
+        INFO(u.x << ", " << u.y);
+        const glm::dvec2 drawn_u = arrow(FigureColour::edge_1), drawn_v = arrow(FigureColour::pass);
+        // Both are turned by the same angle and drawn twelve times as large.
+        CHECK(glm::length(drawn_u) == Approx(12.0 * glm::length(u)).epsilon(1e-4));
+        CHECK(glm::length(drawn_v) == Approx(12.0 * glm::length(v)).epsilon(1e-4));
+        CHECK(glm::dot(drawn_u, drawn_v) == Approx(144.0 * glm::dot(u, v)).epsilon(1e-4));
+        // The shadow ends where a line at right angles to u reaches the tip of v.
+        const glm::dvec2 shadow = arrow(FigureColour::left);
+        CHECK(std::abs(glm::dot(drawn_v - shadow, drawn_u)) < 0.1);
+        CHECK(std::abs(shadow.y) < 1e-3);
     }
 }
 

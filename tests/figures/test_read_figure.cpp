@@ -143,6 +143,8 @@ TEST_CASE("What a figure has no use for is refused with its line") {
     CHECK(refusal("<path d='M0 0 l1 1'/>") ==
           "a.svg:2: d: a path has the commands M, L, Q, C and Z, each with its letter, not 'l'.");
     CHECK(refusal("<path d='M0 0 Q1 1'/>") == "a.svg:2: d: Q takes 4 numbers, not 2.");
+    CHECK(refusal("<path class='arrow' d='M0 0 Z'/>") ==
+          "a.svg:2: d: a path has at least two places.");
     CHECK(refusal("<path d='L0 0 L1 1'/>") ==
           "a.svg:2: d: a path begins with M and has no second one.");
     CHECK(refusal("<path d='M0 0 L1 1 Z L2 2'/>") ==
@@ -187,6 +189,11 @@ TEST_CASE("A figure beyond the limits is refused") {
     for (std::size_t i = 0; i <= most_figure_shapes; ++i)
         many += "<line x1='1' y1='1' x2='2' y2='2'/>";
     CHECK(refusal(many) == "a.svg:2: a figure may have at most 400 shapes.");
+    // Groups are worked out in each frame, too.
+    std::string groups;
+    for (std::size_t i = 0; i < most_figure_numbers / 2; ++i)
+        groups += "<g></g>";
+    CHECK(refusal(groups) == "a.svg:2: a figure may have at most 4000 numbers.");
     std::string long_line;
     for (std::size_t i = 0; i < most_figure_numbers; ++i)
         long_line += "1 2 ";

@@ -97,6 +97,21 @@ TEST_CASE("What is wrong with a course is said with its line") {
     }
 }
 
+TEST_CASE("A course has so many tracks and lessons at most, which is said with its line") {
+    std::string tracks;
+    for (std::size_t i = 0; i < most_tracks; ++i)
+        tracks += track_head + "lessons = []\n";
+    CHECK(parse_course(tracks, "c").tracks.size() == most_tracks);
+    CHECK_THROWS_WITH(parse_course(tracks + track_head + "lessons = []\n", "c"),
+                      "c:31: a course may have at most 6 tracks.");
+    std::string lessons = "lessons = [\n";
+    for (std::size_t i = 0; i < most_lessons; ++i)
+        lessons += "{ id = \"" + std::to_string(i) + "\" },\n";
+    CHECK(fault_of_course(lessons + "]\n") == "none");
+    CHECK(fault_of_course(lessons + "{ id = \"x\" }]\n") ==
+          "course.toml:106: a course may have at most 100 lessons.");
+}
+
 TEST_CASE("A course says when answers are shown") {
     const std::string track = track_head + "lessons = []\n";
     CHECK(parse_course(track, "c").answers == AnswerRule::on_request);

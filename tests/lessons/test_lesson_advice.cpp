@@ -23,7 +23,7 @@ using namespace rasterwalk;
 namespace {
 
 const std::vector<Term> terms{{"depth buffer", "A picture of depths.", "Depth buffer"},
-                              {"edge", "A side.", "Drawing edges"},
+                              {"edge", "A side.", "Drawing edges", true},
                               {"z-buffer", "A depth buffer.", "Depth buffer"}};
 
 /// A lesson whose steps have these texts.
@@ -119,6 +119,8 @@ TEST_CASE("Code, formulas, parts of words and everyday words need no explanation
     CHECK(word_advice_count("An edge.", {}) == 0);
     CHECK(word_advice_count("Depth Buffers.", {}) == 1);
     CHECK(word_advice_count("A list:\n\n* a depth buffer\n* more", {}) == 1);
+    // A bullet is no emphasis, however far it is indented.
+    CHECK(word_advice_count("A list:\n\n- one\n  * a depth buffer", {}) == 1);
 }
 
 TEST_CASE("A step of more than 130 words is pointed out, and what is no text does not count") {
@@ -133,12 +135,18 @@ TEST_CASE("The number of steps and the minutes are compared with the length") {
     CHECK(has_advice(lesson_of("Words.", {"Text."}), "suits one sitting; this one has 1."));
     CHECK(has_advice(lesson_of("Words.", std::vector<std::string>(11, "Text.")), "has 11."));
     Lesson lesson = lesson_of("Words.", std::vector<std::string>(10, repeated("word", 130)));
+    const double minutes = minutes_by_length(lesson);
     lesson.minutes = 12;
     CHECK_FALSE(has_advice(lesson, "minutes, not"));
     lesson.minutes = 13;
     CHECK(has_advice(lesson, "take about 10 minutes, not 13."));
     lesson.minutes = 7;
     CHECK(has_advice(lesson, "take about 10 minutes, not 7."));
+    // Each of these takes a minute more.
+    lesson.predictions.resize(1);
+    lesson.tasks.resize(2);
+    lesson.puzzles.resize(3);
+    CHECK(minutes_by_length(lesson) == Approx(minutes + 6.0));
 }
 
 TEST_CASE("The lessons that come with the program heed the advice") {

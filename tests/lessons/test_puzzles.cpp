@@ -118,6 +118,8 @@ TEST_CASE("A puzzle is read with its lines, their depths and its text") {
 TEST_CASE("What is wrong with a puzzle is said") {
     CHECK(only_fault(good_block, "") == "the text of the block 'order' must be followed by its "
                                         "code, between lines of ```.");
+    for (const char* const empty : {"```cpp\n```\n", "```cpp\n\n{\n}\n```\n"})
+        CHECK(only_fault(good_block, empty) == "the block of code has no lines.");
     CHECK(only_fault(good_block, replaced(good_code, "    int d", "   int d")) ==
           "the line 'int d = 2 * s - l;' must be indented by 4 blanks for each brace.");
     CHECK(only_fault(good_block, replaced(good_code, "    int d", "        int d")) ==
@@ -169,6 +171,10 @@ TEST_CASE("The judge names the first wrong answer, or the line and what is wrong
     CHECK(failing.line == 8);
     CHECK(failing.sentence ==
           "From (0, 0), 8 to the right and 3 down: A whole number is divided by 0.");
+    const PuzzleVerdict large = verdict_with("++x;", "vector<float> v(60000000);");
+    CHECK(large.line == 8);
+    CHECK(large.sentence == "From (0, 0), 8 to the right and 3 down: The vectors need more memory "
+                            "than there is.");
     // A line under one that begins nothing.
     const LessonPuzzle puzzle = puzzle_of_line();
     std::vector<PlacedPiece> order = right_order(puzzle);
@@ -176,6 +182,19 @@ TEST_CASE("The judge names the first wrong answer, or the line and what is wrong
     const PuzzleVerdict indented = judge_order(puzzle, order);
     CHECK(indented.line == 3);
     CHECK(indented.sentence.find("indented") != std::string::npos);
+}
+
+TEST_CASE("The judge names a pixel of a picture by its place") {
+    // Without the depth test nothing but what is stored is right.
+    const std::vector<PuzzleLine> right{{"void Draw(const vector<Pixel>& fragments)", 0},
+                                        {"for (int y = 0; y < HEIGHT; ++y)", 1},
+                                        {"for (int x = 0; x < WIDTH; ++x)", 2},
+                                        {"depth[y][x] = 0;", 3}};
+    std::vector<PuzzleLine> wrong = right;
+    wrong.push_back({"depth[2][1] = 5;", 1});
+    const PuzzleVerdict verdict = judge_function(*find_exam("depth"), wrong, right);
+    CHECK(verdict.sentence == "A far fragment, then a near one, both on (0, 0): the depth of pixel "
+                              "(1, 2) is 5 and should be 0.");
 }
 
 TEST_CASE("Pieces are put in place, moved, indented and taken out") {

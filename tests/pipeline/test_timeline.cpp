@@ -16,7 +16,8 @@ using namespace rasterwalk::test;
 namespace {
 
 constexpr Granularity all_granularities[] = {Granularity::moment, Granularity::line,
-                                             Granularity::triangle, Granularity::phase};
+                                             Granularity::triangle, Granularity::phase,
+                                             Granularity::code};
 
 /// Do two moments belong to the same step of this size?
 bool same_piece(const Cursor& a, const Cursor& b, Granularity step) {

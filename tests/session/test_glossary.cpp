@@ -31,4 +31,13 @@ TEST_CASE("A glossary out of order or with a term twice names the line") {
     }
 }
 
+TEST_CASE("A term of the glossary may be marked as everyday English") {
+    const std::string edge = "[[term]]\nword = \"edge\"\nsentence = \"A side.\"\nsection = \"s\"\n";
+    CHECK_FALSE(parse_glossary(edge, "g").at(0).is_everyday);
+    CHECK_FALSE(parse_glossary(edge + "everyday = false\n", "g").at(0).is_everyday);
+    CHECK(parse_glossary(edge + "everyday = true\n", "g").at(0).is_everyday);
+    CHECK_THROWS_WITH(parse_glossary(edge + "everyday = 1\n", "g"),
+                      "g:5: 'everyday' must be true or false.");
+}
+
 } // namespace rasterwalk

@@ -200,8 +200,12 @@ FileOutcome figure_outcome(const std::string& bytes, const TemporaryFolder&) {
         const FactReader no_facts = [](std::string_view) { return Value(); };
         const FigureDrawing drawing = draw_figure(figure, no_facts);
         std::size_t places = 0;
-        for (const FigureLine& line : drawing.lines)
+        bool is_short = false;
+        for (const FigureLine& line : drawing.lines) {
             places += line.places.size();
+            is_short = is_short || line.places.size() < 2;
+        }
+        if (is_short) return {true, "a line of it has less than two places."};
         for (const FigureHandle& handle : figure.handles)
             dragged_value(figure, handle, {0.0f, 0.0f}, no_facts);
         return {true, places <= 100'000 ? "" : "it is drawn through too many places."};

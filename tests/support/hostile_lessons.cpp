@@ -117,7 +117,7 @@ std::vector<HostileLesson> hostile_lessons() {
     for (int i = 0; i < 101; ++i)
         tasks += task(numbered("a", i, ""), "stage == rows");
     add("101 tasks", tasks, first + 7 * 100,
-        "a lesson may have at most 100 tasks and "
+        "a lesson may have at most 100 tasks, puzzles and "
         "predictions.");
     add("a file outside", "[a](../../../../etc/passwd)", first,
         "the link '../../../../etc/passwd' leads nowhere. Links begin with set: cursor: show: "

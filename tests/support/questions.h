@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "lessons/lesson_run.h"
 #include "session/content.h"
@@ -53,7 +54,12 @@ inline void require_look_back(const std::string& lesson, std::initializer_list<b
     INFO(lesson);
     REQUIRE(std::count(choices.begin(), choices.end(), true) == 1);
     const auto right = std::find(choices.begin(), choices.end(), true) - choices.begin();
-    Questions(lesson).require_choice("look-back", static_cast<int>(right));
+    const Questions asked(lesson);
+    const std::vector<LessonPrediction>& all = asked.lesson.predictions;
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [](const LessonPrediction& one) { return one.looks_back; });
+    REQUIRE(found != all.end());
+    asked.require_choice(found->id, static_cast<int>(right));
 }
 
 } // namespace rasterwalk::test

@@ -307,7 +307,7 @@ void keep_everything(Ui& ui) {
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key(ui) || is_diagnosing(ui) ||
            is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui) ||
-           is_reading(ui) || is_measured_by_frames(ui);
+           is_reading(ui) || is_measured_by_frames(ui) || is_code_running(ui);
 }
 
 } // namespace rasterwalk

@@ -27,7 +27,7 @@ constexpr TabPage pages[] = {
     {"history", draw_history_panel},   {"graph", draw_graph_panel},
     {"compare", draw_compare_panel},   {"lab", draw_lab_panel},
     {"mine", draw_mine_panel},         {"speed", draw_speed_panel},
-    {"code", draw_code_panel},         {settings_tab, draw_settings_sheet},
+    {code_tab, draw_code_panel},       {settings_tab, draw_settings_sheet},
 };
 
 /// A page below this size has little room, design pixels.

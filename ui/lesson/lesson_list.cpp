@@ -154,8 +154,8 @@ void draw_test_entry(Ui& ui, float width) {
     if (draw_entry(ui, "lesson.test", "?", palette(ui.options.theme).dim,
                    "Test before and after the lessons",
                    ui.lesson.is_strip ? ""
-                                      : "Twelve items: what you know before, and what you know "
-                                        "after, to hand in.",
+                                      : "What you know before, and what you know after, to hand "
+                                        "in.",
                    "", width, "Opens the test.")) {
         ui.sheets.show(Sheet::test);
     }

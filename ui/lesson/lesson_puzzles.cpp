@@ -252,13 +252,20 @@ void draw_buttons(Ui& ui, const Lesson& lesson, const LessonPuzzle& puzzle, Puzz
     }
 }
 
+/// Lays the pieces out, also when the lesson's file was edited and has others now.
+void lay_out_pieces(PuzzleView& view, const LessonPuzzle& puzzle, bool is_done) {
+    if (has_same_pieces(view.of, puzzle)) return;
+    view = {};
+    view.of = puzzle;
+    view.desk = is_done ? solved_desk(puzzle) : new_desk(puzzle);
+}
+
 /// Everything below the heading.
 void draw_content(Ui& ui, const Lesson& lesson, const LessonPuzzle& puzzle, const std::string& name,
                   float width) {
     const bool is_done = ui.lesson.progress.is_task_done(lesson.id, puzzle.id);
     PuzzleView& view = ui.lesson.puzzles[puzzle.id];
-    if (std::exchange(view.is_laid_out, true) == false)
-        view.desk = is_done ? solved_desk(puzzle) : new_desk(puzzle);
+    lay_out_pieces(view, puzzle, is_done);
     draw_marked(ui, name + ".text", ui.lesson.pages[name], without_label(puzzle.text), width);
     register_widget(ui, name);
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});

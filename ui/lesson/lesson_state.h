@@ -40,7 +40,7 @@ struct PredictionView {
 /// A puzzle of the open lesson.
 struct PuzzleView {
     PuzzleDesk desk;
-    bool is_laid_out = false;             ///< the desk has its pieces
+    LessonPuzzle of; ///< whose pieces the desk has; without lines before they are laid out
     std::optional<PuzzleVerdict> verdict; ///< of the last run; none if a line was moved since
     bool is_fresh = false;                ///< it was just run: what is said is scrolled to
     int dragged = -1;                     ///< the piece that follows the pointer; -1: none

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "facts/facts.h"
@@ -158,11 +159,13 @@ SetSpan set_span(const FigurePlace& place, const FigureSpan& span) {
     return set;
 }
 
-void draw_figure_text(const FigurePlace& place, const FigureText& text) {
+void draw_figure_text(const FigurePlace& place, const FigureText& text, int& budget) {
     std::vector<SetSpan> spans;
     float width = 0.0f;
     for (const FigureSpan& span : text.spans) {
         if (span.text.empty()) continue;
+        budget -= static_cast<int>(span.text.size());
+        if (budget < 0) return;
         spans.push_back(set_span(place, span));
         width += spans.back().width;
     }
@@ -184,8 +187,13 @@ void draw_figure_text(const FigurePlace& place, const FigureText& text) {
 void work_grip(Ui& ui, const FigurePlace& place, const Figure& figure, const FigureGrip& grip,
                const FactReader& fact) {
     const FigureHandle& handle = figure.handles[static_cast<std::size_t>(grip.handle)];
-    const float radius = std::max(place.scale * grip.radius, least_grip * ui.options.text_scale);
-    const ImVec2 centre = place.at(grip.at);
+    // However far out and large a lesson makes it, it can be taken at the figure's edge, and the
+    // page does not grow by it.
+    const glm::vec2 size = figure.size;
+    const float largest = std::max(0.5f * place.scale * std::min(size.x, size.y), 1.0f);
+    const float radius =
+        std::min(std::max(place.scale * grip.radius, least_grip * ui.options.text_scale), largest);
+    const ImVec2 centre = place.at(glm::clamp(grip.at, glm::vec2(0.0f), size));
     ImGui::SetCursorScreenPos({centre.x - radius, centre.y - radius});
     const std::string name = "figure." + handle.setting;
     ImGui::InvisibleButton(name.c_str(), {2.0f * radius, 2.0f * radius});
@@ -210,6 +218,7 @@ void work_grip(Ui& ui, const FigurePlace& place, const Figure& figure, const Fig
 } // namespace
 
 void show_figure(Ui& ui, const Figure& figure, ImVec2 low, ImVec2 high, int& budget) {
+    if (budget <= 0) return;
     const Facts facts(ui.session, ui.results, &ui.lesson.facts);
     // Numbers of settings would give away what a quiz asks for.
     const bool is_still = hides_settings(ui.session);
@@ -222,7 +231,7 @@ void show_figure(Ui& ui, const Figure& figure, ImVec2 low, ImVec2 high, int& bud
     for (const FigureLine& line : drawing.lines)
         draw_figure_line(place, line, budget);
     for (const FigureText& text : drawing.texts)
-        draw_figure_text(place, text);
+        draw_figure_text(place, text, budget);
     if (!is_still) {
         ImGui::PushID(&figure);
         for (const FigureGrip& grip : drawing.grips)

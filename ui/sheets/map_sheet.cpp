@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/numbers.h"
 #include "lessons/course.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/sheets/reading_sheet.h"
@@ -29,6 +30,9 @@ const SheetLook map_look{.sheet = Sheet::map,
 /// Design pixels: between the columns, where lines run; the height of a lesson's box, and from one
 /// to the next; the number at the left of its title.
 constexpr float gutter = 52.0f, box_height = 27.0f, box_step = 36.0f, number_room = 28.0f;
+
+/// Design pixels: where more columns have no room, the map is wider than its window.
+constexpr float least_column = 60.0f;
 
 /// A lesson where the map draws it, screen pixels.
 struct MapBox {
@@ -137,19 +141,24 @@ bool draw_box(Ui& ui, const MapBox& box, bool is_done, bool is_lit, const std::s
     return is_pressed;
 }
 
-void draw_track_heads(Ui& ui, const Course& course, ImVec2 start, float column_width) {
+/// @param columns one for each track; one more for lessons of no track
+void draw_track_heads(Ui& ui, const Course& course, std::size_t columns, ImVec2 start,
+                      float column_width) {
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     ImFont* const bold = ui.fonts.bold;
     ImFont* const small = ui.fonts.small;
     const Palette& p = palette(ui.options.theme);
-    for (std::size_t i = 0; i < course.tracks.size(); ++i) {
+    for (std::size_t i = 0; i < columns; ++i) {
         const float x = start.x + gutter * u + static_cast<float>(i) * (column_width + gutter * u);
-        const TrackSize size = size_of_track(course, i, ui.lesson.lessons.all());
+        const bool is_track = i < course.tracks.size();
+        const std::string title = is_track ? course.tracks[i].title : "Other lessons";
         list->AddText(bold, bold->FontSize, {x, start.y}, packed(p.text),
-                      shortened(course.tracks[i].title, column_width).c_str());
-        const std::string words =
-            fmt::format("{} lessons, {}", size.lessons, hours_text(size.minutes));
+                      shortened(title, column_width).c_str());
+        if (!is_track) continue;
+        const TrackSize size = size_of_track(course, i, ui.lesson.lessons.all());
+        const std::string words = fmt::format("{}, {}", counted(size.lessons, "lesson", "lessons"),
+                                              hours_text(size.minutes));
         list->AddText(small, small->FontSize, {x, start.y + bold->FontSize + 2.0f * u},
                       packed(p.dim), words.c_str());
     }
@@ -171,9 +180,10 @@ std::string draw_map(Ui& ui) {
         columns = std::max(columns, box.track + 1);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x - 2.0f * u;
-    const float column_width = width / static_cast<float>(columns) - gutter * u;
+    const float column_width =
+        std::max(width / static_cast<float>(columns) - gutter * u, least_column * u);
     const float head = ui.fonts.bold->FontSize + ui.fonts.small->FontSize + 12.0f * u;
-    draw_track_heads(ui, course, start, column_width);
+    if (!course.tracks.empty()) draw_track_heads(ui, course, columns, start, column_width);
     place_boxes(boxes, {start.x, start.y + head}, column_width, u);
     std::set<std::size_t> lit;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -209,7 +219,7 @@ void draw_map_sheet(Ui& ui, ImVec2 window) {
     ImGui::SameLine(0.0f, 24.0f * ui.options.text_scale);
     text_in(palette(ui.options.theme).dim, "A line leads to a lesson from each one it builds on.",
             ui.fonts.small);
-    ImGui::BeginChild("lessons");
+    ImGui::BeginChild("lessons", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const std::string chosen = draw_map(ui);
     ImGui::EndChild();
     end_sheet();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -45,7 +46,17 @@ int first_open(const CourseTest& test, const TestAnswers& answers) {
     return static_cast<int>(found - test.items.begin());
 }
 
-void draw_sittings(Ui& ui) {
+/// "lessons 1 to 12": those that the test is about.
+std::string lessons_in_words(const CourseTest& test) {
+    std::vector<int> numbers;
+    for (const TestItem& item : test.items)
+        numbers.push_back(lesson_number(item.lesson));
+    if (numbers.empty()) return "the lessons";
+    const auto [first, last] = std::minmax_element(numbers.begin(), numbers.end());
+    return fmt::format("lessons {} to {}", *first, *last);
+}
+
+void draw_sittings(Ui& ui, const CourseTest& test) {
     TestSheet& sheet = ui.sheets.test;
     const float gap = 6.0f * ui.options.text_scale;
     if (button(ui, "test.before", "before the lessons", sheet.is_after ? Look::plain : Look::chosen,
@@ -54,7 +65,7 @@ void draw_sittings(Ui& ui) {
     }
     same_line_if_room("after the lessons", gap);
     if (button(ui, "test.after", "after the lessons", sheet.is_after ? Look::chosen : Look::plain,
-               "The same items, once you have done lessons 1 to 12.")) {
+               "The same items, once you have done " + lessons_in_words(test) + ".")) {
         sheet.is_after = true;
         sheet.is_going_back = false;
     }
@@ -152,7 +163,7 @@ void draw_report(Ui& ui, const CourseTest& test) {
     const Progress& progress = ui.lesson.progress;
     ImGui::SetNextItemWidth(std::min(220.0f * u, ImGui::GetContentRegionAvail().x));
     ImGui::InputTextWithHint("##name", "your name", &sheet.name);
-    register_widget(ui, "test.name", "It stands at the top of the report.");
+    register_widget(ui, "test.name", "It appears at the top of the report.");
     if (!ui.host.is_browser) {
         same_line_if_room("save the report", 8.0f * u);
         if (button(ui, "test.save", "save the report", Look::main,
@@ -178,8 +189,9 @@ void draw_result(Ui& ui, const CourseTest& test) {
     ImGui::PopFont();
     register_widget(ui, "test.score", {}, words);
     if (!sheet.is_after) {
-        wrapped_text("Which ones they are is shown after the second sitting, so that it is not "
-                     "spoiled. Now do lessons 1 to 12.");
+        wrapped_text("You will see which ones after the second sitting, so that it is not "
+                     "spoiled. Now do " +
+                     lessons_in_words(test) + ".");
     } else {
         const TestScore before = score_of_test(test, ui.lesson.progress.test_before);
         if (before.answered > 0)
@@ -213,7 +225,7 @@ void draw_test_sheet(Ui& ui, ImVec2 window) {
     if (!sheet.test) {
         wrapped_text(sheet.fault);
     } else {
-        draw_sittings(ui);
+        draw_sittings(ui, *sheet.test);
         ImGui::BeginChild("test.content");
         begin_line_clip();
         const int open = first_open(*sheet.test, answers_of(ui, sheet.is_after));

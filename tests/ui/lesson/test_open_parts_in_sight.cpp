@@ -96,7 +96,7 @@ TEST_CASE("No step of a column is left until all that is open was in sight, by b
 TEST_CASE("A question that is answered is not led to") {
     Driver driver("lab-room.toml", {1366, 768});
     open_lesson(driver.ui, "02-moving-the-camera", 1);
-    const LessonPrediction asked = open_lesson_of(driver.ui)->predictions.at(0);
+    const LessonPrediction asked = open_lesson_of(driver.ui)->predictions.at(1);
     REQUIRE(asked.step == 1);
     REQUIRE(asked.kind == LessonPrediction::Kind::number);
     driver.hand.leave();

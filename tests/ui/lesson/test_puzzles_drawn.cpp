@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "tests/support/catch.h"
+#include "tests/support/hostile_lessons.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/keys.h"
 
 namespace rasterwalk {
@@ -59,6 +62,14 @@ struct Puzzler {
         driver.hand.leave();
     }
 };
+
+/// A lesson with a puzzle of these lines and distractors.
+std::string lesson_with_puzzle(const std::string& lines, const std::string& distractors) {
+    return test::lesson_head() +
+           "Words.\n\n## A step\n\n<!-- order\nid = \"line\"\nasks = \"line\"\ndistractors = [" +
+           distractors + "]\n-->\n> **Put in order.** Build it.\n\n```cpp\n" +
+           "void DrawLine(int x, int y, int l, int s)\n{\n" + lines + "}\n```\n";
+}
 
 } // namespace
 
@@ -140,6 +151,47 @@ TEST_CASE("The keyboard alone puts lines in order and runs them") {
     p.driver.hand.press(key::enter);
     p.driver.hand.rest();
     CHECK(p.is_done());
+}
+
+TEST_CASE("A puzzle whose lines are edited while they are in place is laid out again") {
+    const std::string loop = "    for (int i = 0; i <= l; ++i)\n        Plot(x + i, y);\n";
+    const test::TemporaryFolder folder;
+    folder.write("01-line.md",
+                 lesson_with_puzzle("    int d = 0;\n" + loop, R"("++x;", "++y;", "d += s;")"));
+    Driver driver;
+    Ui& ui = driver.ui;
+    ui.lesson.lessons.read_folder(folder.file(""));
+    open_lesson(ui, "01-line", 1);
+    driver.hand.rest();
+    // The last distractor and the last line are in the function.
+    for (const char* const piece : {"5", "2"}) {
+        driver.hand.click(std::string("lesson.puzzle.line.piece.") + piece);
+        driver.hand.leave();
+    }
+    const PuzzleView& view = ui.lesson.puzzles.at("line");
+    REQUIRE(view.desk.used.size() == 2);
+    // Words alone leave them there.
+    std::string reworded =
+        lesson_with_puzzle("    int d = 0;\n" + loop, R"("++x;", "++y;", "d += s;")");
+    reworded.replace(reworded.find("Build it."), 9, "Now build the function.");
+    folder.write("01-line.md", reworded);
+    driver.hand.rest();
+    CHECK(view.desk.used.size() == 2);
+    folder.write("01-line.md", lesson_with_puzzle(loop, R"("++x;")"));
+    driver.hand.rest();
+    const Lesson* const lesson = open_lesson_of(ui);
+    REQUIRE(lesson != nullptr);
+    REQUIRE(lesson->faults.empty());
+    CHECK(piece_count(lesson->puzzles.at(0)) == 3);
+    CHECK(view.desk == new_desk(lesson->puzzles.at(0)));
+    // As many pieces, one of which says something else.
+    driver.hand.click("lesson.puzzle.line.piece.0");
+    driver.hand.leave();
+    REQUIRE(view.desk.used.size() == 1);
+    folder.write("01-line.md", lesson_with_puzzle(loop, R"("y += 1;")"));
+    driver.hand.rest();
+    CHECK(view.desk.used.empty());
+    CHECK(view.desk.left.size() == 3);
 }
 
 } // namespace rasterwalk

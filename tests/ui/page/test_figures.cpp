@@ -53,8 +53,8 @@ struct FigurePage {
     Driver driver;
     Ui& ui = driver.ui;
 
-    FigurePage() {
-        folder.write("ruler.svg", ruler_figure);
+    explicit FigurePage(const std::string& figure = ruler_figure) {
+        folder.write("ruler.svg", figure);
         folder.write("01-figure.md", lesson_with_figure);
         ui.lesson.lessons.read_folder(folder.file(""));
         open_lesson(ui, "01-figure", 1);
@@ -110,6 +110,37 @@ TEST_CASE("A click on a part of a figure changes nothing; the arrows move it a s
     page.driver.hand.press(key::left);
     page.driver.hand.press(key::left);
     CHECK(page.focal_length() == 490.0f);
+}
+
+TEST_CASE("A part that can be dragged stays in the figure, however far out and large it is") {
+    const std::string usual = ruler_figure;
+    for (const char* const place : {"camera.focal_length * 100", "0 - camera.focal_length * 100"}) {
+        INFO(place);
+        std::string figure = usual;
+        figure.replace(figure.find("camera.focal_length / 5"), 23, place);
+        figure.replace(figure.find("r=\"6\""), 5, "r=\"90000\"");
+        FigurePage page(figure);
+        REQUIRE(page.ui.widgets.count(handle) == 1);
+        const WidgetPlace& grip = page.ui.widgets.at(handle);
+        // The figure is 200 x 60, and a column at most four times as wide.
+        CHECK(grip.bottom_right.x - grip.top_left.x <= 4 * 60.0f);
+        CHECK(grip.bottom_right.y - grip.top_left.y <= 4 * 60.0f);
+        CHECK(grip.top_left.x > -200.0f);
+        CHECK(grip.bottom_right.x < 1600.0f + 200.0f);
+        REQUIRE(page.driver.tab_to(handle));
+        page.driver.hand.press(key::right);
+        CHECK(page.focal_length() == 510.0f);
+    }
+}
+
+TEST_CASE("However much text a figure has, its letters can be numbered") {
+    std::string figure = "<svg viewBox=\"0 0 1000 60\">\n"; // as wide as the column
+    for (int i = 0; i < 390; ++i)
+        figure += "<text x=\"5\" y=\"20\">" + std::string(400, 'i') + "</text>\n";
+    FigurePage page(figure + "</svg>\n");
+    const ImDrawData* const data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i)
+        CHECK(data->CmdLists[i]->VtxBuffer.Size < 65'536);
 }
 
 TEST_CASE("In a browser figures have the colours of the window") {

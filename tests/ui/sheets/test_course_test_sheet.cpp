@@ -44,6 +44,11 @@ TEST_CASE("The test is opened from the list of lessons and taken before and afte
         CHECK(ui.lesson.progress.test_before.at(test.items[0].id) == test.items[0].choices[1]);
         // Which one was wrong is not given away before the second sitting.
         CHECK(ui.widgets.count("test.lesson." + test.items[0].id) == 0);
+        click("test.copy");
+        const std::string first = ImGui::GetClipboardText();
+        CHECK(first.find(test.items[0].choices[1]) != first.npos);
+        CHECK(first.find("✗") == first.npos);
+        CHECK(first.find("✓") == first.npos);
         click("test.after");
         for (std::size_t i = 0; i < test.items.size(); ++i)
             click(i == 3 ? "test.choice.1" : "test.choice.0");
