@@ -75,9 +75,8 @@ void code_command(const CodeOptions& options, std::ostream& out) {
     CodeWalk walk;
     walk.take(code, frame, 1);
     if (!walk.missing().empty())
-        throw UsageError(fmt::format(
-            "the lab's code is not written out for this picture: it has no lines for {}.",
-            walk.missing()));
+        throw UsageError(
+            fmt::format("there is no code yet for this picture: \"{}\".", walk.missing()));
     const Timeline timeline(frame);
     const Cursor moment = timeline.at_or_after(in_frame(session.cursor, frame.pass));
     Framebuffer planes;

@@ -179,9 +179,10 @@ void CodeBuilder::fill_zero(int slot, int words) {
 }
 
 const NamedVariable* CodeBuilder::find_variable(const std::string& name) const {
-    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-        const auto found = scope->variables.find(name);
-        if (found != scope->variables.end()) return &found->second;
+    // A name is looked for from inside to outside.
+    for (std::size_t i = scopes_.size(); i-- > 0;) {
+        const auto found = scopes_[i].variables.find(name);
+        if (found != scopes_[i].variables.end()) return &found->second;
     }
     return nullptr;
 }
@@ -206,18 +207,19 @@ std::optional<int> CodeBuilder::constant_of(const CodeExpression& expression) co
         if (!value) return std::nullopt;
         parts.push_back(*value);
     }
+    const bool is_negation = expression.kind == Kind::unary && expression.text == "-";
+    if (!is_negation && expression.kind != Kind::binary) return std::nullopt;
+    const char sign = expression.text.size() == 1 ? expression.text[0] : ' ';
     std::int64_t whole = 0;
-    if (expression.kind == Kind::unary && expression.text == "-") {
+    if (is_negation) {
         whole = -parts[0];
-    } else if (expression.kind != Kind::binary) {
-        return std::nullopt;
-    } else if (expression.text == "+") {
+    } else if (sign == '+') {
         whole = parts[0] + parts[1];
-    } else if (expression.text == "-") {
+    } else if (sign == '-') {
         whole = parts[0] - parts[1];
-    } else if (expression.text == "*") {
+    } else if (sign == '*') {
         whole = parts[0] * parts[1];
-    } else if (expression.text == "/" && parts[1] != 0) {
+    } else if (sign == '/' && parts[1] != 0) {
         whole = parts[0] / parts[1];
     } else {
         return std::nullopt;

@@ -179,7 +179,7 @@ void CodeBuilder::end_scope() {
     scopes_.pop_back();
 }
 
-void CodeBuilder::declare(const std::string& name, NamedVariable variable, int line) {
+void CodeBuilder::declare(const std::string& name, const NamedVariable& variable, int line) {
     BuiltScope& scope = scopes_.back();
     if (scope.variables.contains(name))
         fail(line, fmt::format("There is a variable `{}` here already", name));
@@ -188,7 +188,7 @@ void CodeBuilder::declare(const std::string& name, NamedVariable variable, int l
         current().variables.push_back({name, value.type, value.at, value.where == Where::place,
                                        static_cast<int>(here()), -1});
     }
-    scope.variables.emplace(name, std::move(variable));
+    scope.variables.emplace(name, variable);
 }
 
 void CodeBuilder::begin_line(int line) {
@@ -482,7 +482,7 @@ void CodeBuilder::build_variable(const CodeStatement& statement, const CodeVaria
     NamedVariable named{value, {}};
     if (is_const && type == code_type::integer && variable.value != nullptr)
         named.constant = constant_of(*variable.value);
-    declare(variable.name, std::move(named), variable.line);
+    declare(variable.name, named, variable.line);
     if (is_list) scopes_.back().lists.push_back(slot);
     const bool has_value = variable.value != nullptr || !variable.arguments.empty();
     if (has_value) note_value(statement.line, value);
@@ -517,12 +517,12 @@ void CodeBuilder::build_global(const CodeStatement& statement, const CodeVariabl
     const bool has_value = variable.value != nullptr || !variable.arguments.empty();
     if (has_value) {
         program_.lines.push_back({variable.line, function_, -1});
-        emit(CodeOp::line, 1, static_cast<int>(program_.lines.size()) - 1, variable.line);
+        emit(CodeOp::line, 1, 0, variable.line);
         store(named.value, variable_value(type, variable));
     }
     if (statement.type.is_const && type == code_type::integer && variable.value != nullptr)
         named.constant = constant_of(*variable.value);
-    declare(variable.name, std::move(named), variable.line);
+    declare(variable.name, named, variable.line);
 }
 
 void CodeBuilder::build_function(const WrittenFunction& written) {

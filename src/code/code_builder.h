@@ -80,7 +80,7 @@ class CodeBuilder {
     void check_stops() const;
     int reserve_for_note(int words);
     void finish_frame();
-    BuiltValue variable_value(CodeTypeId type, const CodeVariable& variable);
+    BuiltValue variable_value(CodeTypeId id, const CodeVariable& variable);
     CodeTypeId type_with_sizes(CodeTypeId type, const CodeVariable& variable);
     void begin_line(int line);
     void note_value(int line, const BuiltValue& value);
@@ -88,7 +88,7 @@ class CodeBuilder {
     void begin_scope();
     void end_scope();
     void free_lists(std::size_t down_to);
-    void declare(const std::string& name, NamedVariable variable, int line);
+    void declare(const std::string& name, const NamedVariable& variable, int line);
     void end_loop(const BuiltLoop& loop, std::size_t go_on_target);
 
     // build_expressions.cpp
@@ -107,7 +107,7 @@ class CodeBuilder {
     BuiltValue build_own_call(int function, const CodeExpression& expression);
     BuiltValue build_host_call(const std::string& name, const std::vector<BuiltValue>& arguments,
                                int line);
-    BuiltValue build_construction(CodeTypeId type, const std::vector<CodeExpressionPtr>& parts,
+    BuiltValue build_construction(CodeTypeId id, const std::vector<CodeExpressionPtr>& parts,
                                   int line);
     BuiltValue build_index(const CodeExpression& expression);
     BuiltValue build_member(const CodeExpression& expression);

@@ -69,8 +69,8 @@ void write_code_value(std::uint32_t* words, const T& value) {
 template <class T>
 inline constexpr int code_words = std::is_same_v<T, bool> ? 1 : static_cast<int>(sizeof(T) / 4);
 
-template <class Result, class... Arguments, class Call, std::size_t... Index>
-CodeHostFunction host_function_of(std::string name, Call call, std::index_sequence<Index...>) {
+template <class Result, class... Arguments, class Call, std::size_t... index>
+CodeHostFunction host_function_of(std::string name, Call call, std::index_sequence<index...>) {
     return {std::move(name),
             code_type_of<Result>,
             {code_type_of<Arguments>...},
@@ -78,17 +78,17 @@ CodeHostFunction host_function_of(std::string name, Call call, std::index_sequen
                    [[maybe_unused]] const std::uint32_t* arguments) {
                 // Where each argument begins: after all those before it.
                 constexpr int sizes[]{code_words<Arguments>..., 0};
-                [[maybe_unused]] const auto begin = [&](std::size_t index) {
+                [[maybe_unused]] const auto begin = [&](std::size_t argument) {
                     int words = 0;
-                    for (std::size_t i = 0; i < index; ++i)
+                    for (std::size_t i = 0; i < argument; ++i)
                         words += sizes[i];
                     return arguments + words;
                 };
                 if constexpr (std::is_void_v<Result>) {
-                    call(read_code_value<Arguments>(begin(Index))...);
+                    call(read_code_value<Arguments>(begin(index))...);
                 } else {
                     write_code_value(result, static_cast<Result>(call(
-                                                 read_code_value<Arguments>(begin(Index))...)));
+                                                 read_code_value<Arguments>(begin(index))...)));
                 }
             }};
 }

@@ -123,8 +123,9 @@ void CodeMachine::find_lists(CodeTypeId id, const std::uint32_t* words,
         for (std::size_t at = 0; at + step <= block.size(); at += step)
             find_lists(type.element, block.data() + at, used);
     } else if (type.kind == CodeType::Kind::array) {
-        for (int i = 0; i < type.count; ++i)
-            find_lists(type.element, words + i * program_->types[type.element].words, used);
+        const auto step = static_cast<std::size_t>(program_->types[type.element].words);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(type.count); ++i)
+            find_lists(type.element, words + i * step, used);
     } else {
         for (const CodeField& field : type.fields)
             find_lists(field.type, words + field.offset, used);
@@ -233,6 +234,7 @@ CodeEnd CodeMachine::carry_out() {
                     return CodeEnd::paused;
                 }
             }
+            recent_[static_cast<std::size_t>(lines_ % most_recent_lines)] = in.b;
             ++lines_;
             break;
         case CodeOp::mark:
@@ -503,6 +505,13 @@ CodeEnd CodeMachine::carry_out() {
             break;
         }
     }
+}
+
+std::vector<int> CodeMachine::recent_lines(std::int64_t count) const {
+    std::vector<int> lines;
+    for (std::int64_t i = 1; i <= std::min({count, lines_, most_recent_lines}); ++i)
+        lines.push_back(recent_[static_cast<std::size_t>((lines_ - i) % most_recent_lines)]);
+    return lines;
 }
 
 std::vector<CodeCall> CodeMachine::calls() const {

@@ -3,6 +3,7 @@
 // Carries out a program of the lab, line by line.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -98,6 +99,9 @@ class CodeMachine {
     std::int64_t list_words() const { return list_words_; } ///< that they take now
 
     std::int64_t lines() const { return lines_; } ///< begun since the first call
+    /// Lines of the source that were begun last, the last one first: at most most_recent_lines.
+    std::vector<int> recent_lines(std::int64_t count) const;
+    static constexpr std::int64_t most_recent_lines = 256;
     std::span<const int> marks() const { return marks_; }
     const CodeFault& fault() const { return fault_; }
     const CodeProgram& program() const { return *program_; }
@@ -118,10 +122,10 @@ class CodeMachine {
     void resize(std::uint32_t& list, std::int64_t words);
     CodeEnd fail(std::string sentence);
     bool enter(int function, int base);
-    void find_lists(CodeTypeId type, const std::uint32_t* words, std::vector<bool>& used) const;
+    void find_lists(CodeTypeId id, const std::uint32_t* words, std::vector<bool>& used) const;
     void free_dropped_lists();
     bool is_to_pause_at(int line) const;
-    std::string text_of(CodeTypeId type, const std::uint32_t* words) const;
+    std::string text_of(CodeTypeId id, const std::uint32_t* words) const;
 
     std::shared_ptr<const CodeProgram> program_;
     std::vector<Words> blocks_;         ///< the stack, the global variables, and one for each list
@@ -130,6 +134,7 @@ class CodeMachine {
     std::int64_t most_list_words_ = most_list_words;
     std::vector<CodeCall> calls_;
     std::int64_t lines_ = 0;
+    std::array<int, most_recent_lines> recent_{}; ///< the line begun n-th is at n % its size
     std::int64_t pause_at_ = -1;
     std::int64_t most_lines_ = 1'000'000'000;
     std::int64_t paused_at_ = -1; ///< line at which it has paused, which it now goes on from

@@ -94,7 +94,7 @@ std::string at_beginning(std::string words);
 /// A value as text: `9`, `0.25`, `(1, 2, 3)`, `{x 3, y 4}`; of a list, how many elements it has.
 /// @param words of the value
 /// @param size  of a list
-std::string code_value_text(const CodeTypes& types, CodeTypeId type, const std::uint32_t* words,
+std::string code_value_text(const CodeTypes& types, CodeTypeId id, const std::uint32_t* words,
                             int size = 0);
 
 } // namespace rasterwalk

@@ -105,6 +105,7 @@ void CodeWalk::make_machine() {
         const std::optional<Cursor> moment = moment_of(mark, marks);
         if (!moment) return false;
         begun_ = moment;
+        earlier_at_ = begun_at_;
         begun_at_ = machine_->lines();
         return wanted_ == moment;
     });
@@ -139,6 +140,7 @@ void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
     const bool is_in_rows = cursor.phase == Phase::rows && row_ < program_->marks.size();
     if (is_in_rows) machine_->skip_to(row_, cursor.index);
     begun_ = std::nullopt;
+    begun_at_ = machine_->lines();
     is_over_ = false;
     const CodeArrival arrival = run_until(cursor);
     // Earlier fragments of the row were drawn once more.
@@ -210,6 +212,10 @@ void CodeWalk::settle() {
     } else if (begun_) {
         place_ = {*begun_, static_cast<int>(machine_->lines() - begun_at_)};
     }
+}
+
+std::vector<int> CodeWalk::recent_lines() const {
+    return machine_->recent_lines(machine_->lines() - earlier_at_);
 }
 
 void CodeWalk::set_out(CodeGoal goal, int line) {

@@ -81,6 +81,8 @@ class CodeWalk {
     /// @param planes the picture of that moment
     CodePlace seek(const CodePlace& place, const Framebuffer& planes);
     const CodePlace& place() const { return place_; }
+    /// Lines of the program that were carried out for the last moment that is done, and since then.
+    std::vector<int> recent_lines() const;
 
     /// Sets out for a goal from the place where it is.
     /// @param line for CodeGoal::meeting; 0: only conditions count
@@ -113,6 +115,7 @@ class CodeWalk {
     std::optional<Cursor> wanted_; ///< moment before whose first line the machine pauses
     std::optional<Cursor> begun_;  ///< the last moment that has begun
     std::int64_t begun_at_ = 0;    ///< lines before it
+    std::int64_t earlier_at_ = 0;  ///< lines before the moment that began before it
     bool is_there_ = false;        ///< the machine is at place_
     bool is_over_ = false;         ///< the program has ended
     CodePlace place_;

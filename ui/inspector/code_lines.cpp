@@ -23,6 +23,7 @@ struct ShownCode {
     int line = 0;                ///< of the program, from 1: the one that comes next in that call
     int first = 0, last = 0;     ///< lines of the file
     std::set<int> begun;         ///< lines of the program at which a statement begins
+    std::set<int> recent;        ///< carried out for the last moment, and since
 };
 
 ShownCode shown_code(const CodeLook& look) {
@@ -42,6 +43,8 @@ ShownCode shown_code(const CodeLook& look) {
     shown.last = file.last;
     for (const CodeLine& line : program.lines)
         shown.begun.insert(line.line);
+    for (const int line : look.walk.recent_lines())
+        shown.recent.insert(line);
     return shown;
 }
 
@@ -90,14 +93,23 @@ void draw_number(Ui& ui, const ChosenLine& line, int number, bool can_stop, cons
                               packed(colour_of(Meaning::current, ui.options.theme)));
 }
 
+/// How far to the right a line begins: half as far where there is little room.
+float indent_of(const Ui& ui, std::size_t blanks) {
+    return static_cast<float>(blanks) * text_width(" ") * (ui.inspector.is_narrow ? 0.5f : 1.0f);
+}
+
+float words_width(const Ui& ui, std::string_view text) {
+    const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+    return indent_of(ui, blanks) + text_width(text.substr(blanks));
+}
+
 /// The words of a line, cut off where the room ends.
 void draw_words(const Ui& ui, std::string_view text, float x, float y, float right,
                 float opacity = 1.0f) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    // Where there is little room, a line begins half as far to the right.
     const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
     text.remove_prefix(blanks);
-    x += static_cast<float>(blanks) * text_width(" ") * (ui.inspector.is_narrow ? 0.5f : 1.0f);
+    x += indent_of(ui, blanks);
     list->PushClipRect({x, y - 2.0f}, {right, y + 2.0f * ImGui::GetTextLineHeight()}, true);
     for (const ColouredWords& words : coloured_code(ui, text)) {
         list->AddText({x, y}, packed(words.ink, opacity), words.text.data(),
@@ -118,6 +130,15 @@ void draw_usual(Ui& ui, const ChosenLine& line, int number, const LineLayout& at
     ImGui::Dummy({at.right - at.left, at.height});
     register_widget(ui, fmt::format("code.right.{}", number), "The right line.",
                     std::string(shown_words(line.usual)));
+}
+
+/// The whole line and its value, which may be cut off, and what a click does.
+std::string line_tooltip(std::string_view text, const std::string& value, bool is_next,
+                         bool can_stop) {
+    std::string words(text.substr(std::min(text.find_first_not_of(' '), text.size())));
+    if (!value.empty()) words += "\n" + value;
+    if (is_next) return words + "\nThis line comes next.";
+    return can_stop ? words + "\nClick to run to the next time this line is reached." : words;
 }
 
 /// A line of the program and its value. Returns how many lines high it is.
@@ -141,29 +162,28 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value
         run_code_to(ui, line);
     }
     const bool hovered = can_stop && ImGui::IsItemHovered();
-    register_widget(ui, name,
-                    is_next     ? "This line comes next."
-                    : !can_stop ? ""
-                                : "Click to run to the next time this line is reached.",
-                    std::string(text));
+    register_widget(ui, name, line_tooltip(text, value, is_next, can_stop), std::string(text));
     if (is_next || hovered)
         list->AddRectFilled({at.left, top}, {at.right, top + at.height},
                             packed(p.row_lit, is_next && is_innermost ? 1.0f : 0.55f));
+    // What has just been carried out.
+    if (shown.recent.count(line) > 0 && !is_next)
+        list->AddRectFilled({at.left, top}, {at.left + 2.0f * u, top + at.height},
+                            packed(p.link, 0.7f));
     if (is_next) draw_current_bar(ui, list, {at.left, top}, top + at.height);
     draw_number(ui, chosen, number, can_stop, at, top);
-    const float width = value.empty() ? 0.0f : text_width(value) + 14.0f * u;
-    const float end = at.right - 8.0f * u;
+    const float end = at.right - 8.0f * u, gap = 14.0f * u;
     draw_words(ui, text, at.code, top + 2.0f * u, at.right);
     if (!value.empty()) {
-        const float room = at.right - at.code;
-        const std::string fitting = shortened(value, 0.6f * room);
-        const float wide = std::min(width, text_width(fitting) + 14.0f * u);
-        // Over the end of a line that is too long for both.
+        // The code comes first; a value that does not fit is in the tooltip.
+        const float room = end - at.code;
+        const float rest = room - words_width(ui, text) - gap;
+        const std::string fitting = shortened(value, std::clamp(rest, 0.25f * room, 0.6f * room));
+        const float wide = text_width(fitting) + gap;
         const ImVec4& ground = is_next ? p.row_lit : p.card;
         list->AddRectFilled({end - wide, top}, {at.right, top + at.height}, packed(ground));
-        // Lines that come again have the values of the previous iteration.
-        const bool is_old = line >= shown.line && !shown.calls.empty();
-        list->AddText({end - text_width(fitting), top + 2.0f * u}, packed(is_old ? p.dim : p.link),
+        const bool is_new = shown.recent.count(line) > 0;
+        list->AddText({end - text_width(fitting), top + 2.0f * u}, packed(is_new ? p.link : p.dim),
                       fitting.c_str());
         register_text(ui, name, value);
     }
@@ -183,6 +203,15 @@ std::string code_place_text(const Ui& ui) {
     const auto file =
         static_cast<std::size_t>(look.walk.lines()[static_cast<std::size_t>(shown.line - 1)].file);
     return fmt::format("{}:{}", look.code->files[file].name, shown.line - shown.first + 1);
+}
+
+int number_in_file(const CodeLook& look, int file, int line) {
+    const std::vector<ChosenLine>& lines = look.walk.lines();
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const ChosenLine& one) {
+        return one.file == file && one.line == line;
+    });
+    const int number = static_cast<int>(found - lines.begin()) + 1;
+    return found == lines.end() ? 0 : number - file_around(lines, number).first + 1;
 }
 
 void draw_code_lines(Ui& ui, float height) {
@@ -222,7 +251,7 @@ void draw_code_lines(Ui& ui, float height) {
         look.scrolled_in = height;
         const float y = static_cast<float>(row_of_next) * at.height;
         const float top = ImGui::GetScrollY(), room = height - 2.0f * at.height;
-        if (y < top || y > top + room) ImGui::SetScrollY(std::max(y - 0.4f * room, 0.0f));
+        if (y < top || y > top + 0.75f * room) ImGui::SetScrollY(std::max(y - 0.4f * room, 0.0f));
     }
     ImGui::PopFont();
     ImGui::EndChild();

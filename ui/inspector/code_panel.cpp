@@ -109,14 +109,20 @@ void draw_condition(Ui& ui) {
     if (!look.edited) return;
     LineCondition edited = *look.edited;
     ImGui::Spacing();
-    put_text("Stop at this line when", ui.fonts.small);
+    put_text(fmt::format("Stop at line {} when", number_in_file(look, edited.file, edited.line)),
+             ui.fonts.small);
+    const bool is_known =
+        std::any_of(look.conditions.begin(), look.conditions.end(), [&](const LineCondition& one) {
+            return one.file == edited.file && one.line == edited.line;
+        });
+    const char* const other = is_known ? "Remove" : "Cancel";
     const float room = ImGui::GetContentRegionAvail().x;
     const float buttons =
-        button_width("Set") + button_width("Remove") + 2.0f * ImGui::GetStyle().ItemSpacing.x;
+        button_width("Set") + button_width(other) + 2.0f * ImGui::GetStyle().ItemSpacing.x;
     ImGui::PushFont(ui.fonts.mono_small);
     ImGui::SetNextItemWidth(std::max(room - buttons, 80.0f));
-    bool is_set = ImGui::InputTextWithHint("##condition", "p.y < 0", &look.edited->text,
-                                           ImGuiInputTextFlags_EnterReturnsTrue);
+    bool is_set =
+        ImGui::InputText("##condition", &look.edited->text, ImGuiInputTextFlags_EnterReturnsTrue);
     edited = *look.edited;
     ImGui::PopFont();
     register_widget(ui, "code.condition",
@@ -125,7 +131,7 @@ void draw_condition(Ui& ui) {
     is_set = button(ui, "code.set", "Set", Look::plain, "Run stops at the line when it holds.") ||
              is_set;
     ImGui::SameLine();
-    if (button(ui, "code.remove", "Remove", Look::plain, "The line has no condition any more.")) {
+    if (button(ui, "code.remove", other, Look::plain, "The line has no condition.")) {
         edited.text.clear();
         is_set = true;
     }
@@ -144,9 +150,8 @@ void draw_no_code(Ui& ui) {
         wrapped_text_in(colour_of(Meaning::fail, ui.options.theme), look.fault);
         register_widget(ui, "code.fault", {}, look.fault);
     } else if (!look.walk.missing().empty()) {
-        const std::string words = "The code is not written out for this picture yet: it has no "
-                                  "lines for " +
-                                  look.walk.missing() + ".";
+        const std::string words =
+            "There is no code yet for this picture: \"" + look.walk.missing() + "\".";
         wrapped_text(words);
         register_widget(ui, "code.missing", {}, words);
     } else {
