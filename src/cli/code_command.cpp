@@ -85,6 +85,9 @@ void code_command(const CodeOptions& options, std::ostream& out) {
     before.to = moment;
     draw(frame, before, planes);
     const CodePlace place = walk.seek({moment, options.lines}, planes);
+    if (!walk.is_there())
+        throw InputError("the lab's code does not come to this moment. " +
+                         walk.machine().fault().sentence);
     std::vector<CodeCall> calls = walk.machine().calls();
     std::reverse(calls.begin(), calls.end());
     std::vector<CodeSpot> spots;

@@ -251,8 +251,10 @@ BuiltValue CodeBuilder::build(const CodeExpression& expression) {
     case Kind::real: {
         const BuiltValue made = temporary(code_type::double_real);
         double value = 0.0;
-        std::from_chars(expression.text.data(), expression.text.data() + expression.text.size(),
-                        value);
+        if (std::from_chars(expression.text.data(), expression.text.data() + expression.text.size(),
+                            value)
+                .ec != std::errc())
+            fail(expression.line, fmt::format("The number {} is too large", expression.text));
         const auto words = std::bit_cast<std::array<int, 2>>(value);
         emit(CodeOp::set, 1, made.at, words[0]);
         emit(CodeOp::set, 1, made.at + 1, words[1]);
@@ -261,8 +263,10 @@ BuiltValue CodeBuilder::build(const CodeExpression& expression) {
     case Kind::single_real: {
         const BuiltValue made = temporary(code_type::real);
         float value = 0.0f;
-        std::from_chars(expression.text.data(), expression.text.data() + expression.text.size(),
-                        value);
+        if (std::from_chars(expression.text.data(), expression.text.data() + expression.text.size(),
+                            value)
+                .ec != std::errc())
+            fail(expression.line, fmt::format("The number {} is too large", expression.text));
         emit(CodeOp::set, 1, made.at, std::bit_cast<int>(value));
         return made;
     }

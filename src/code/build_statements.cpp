@@ -111,6 +111,13 @@ void CodeBuilder::build_structures() {
         }
         if (program_.types.find(written.name) >= 0)
             fail(written.line, fmt::format("There is a type `{}` already", written.name));
+        if (fields.empty())
+            fail(written.line, fmt::format("A struct needs members: {} has none", written.name));
+        std::int64_t words = 0;
+        for (const CodeField& field : fields)
+            words += program_.types[field.type].words;
+        if (words > largest_frame)
+            fail(written.line, fmt::format("The members of {} need too much room", written.name));
         program_.types.add_structure(written.name, std::move(fields));
     }
 }
@@ -134,6 +141,9 @@ void CodeBuilder::build_signatures() {
             parameter.slot = slot;
             if (parameter.type == code_type::nothing) fail(written.line, "A parameter is not void");
             slot += parameter.is_reference ? 2 : program_.types[parameter.type].words;
+            if (slot > largest_frame)
+                fail(written.line,
+                     fmt::format("The parameters of {} need too much room", written.name));
             are_const.push_back(field.type.is_const);
             made.parameters.push_back(std::move(parameter));
         }

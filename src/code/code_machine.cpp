@@ -13,6 +13,12 @@ namespace rasterwalk {
 
 namespace {
 
+/// Giving the global variables their values takes at most so many lines.
+constexpr std::int64_t most_lines_of_start = 1'000'000;
+
+/// So many words of memory take about as long as a line.
+constexpr std::int64_t words_of_line = 64;
+
 constexpr std::uint32_t stack_block = 0, global_block = 1;
 
 std::int32_t as_int(std::uint32_t word) {
@@ -70,7 +76,9 @@ CodeMachine::CodeMachine(std::shared_ptr<const CodeProgram> program)
 
 CodeEnd CodeMachine::begin() {
     call(program_->start);
+    const std::int64_t allowed = std::exchange(most_lines_, most_lines_of_start);
     const CodeEnd end = run();
+    most_lines_ = allowed;
     lines_ = 0;
     return end;
 }
@@ -84,12 +92,16 @@ std::span<std::uint32_t> CodeMachine::global(std::string_view name) {
 }
 
 std::span<std::uint32_t> CodeMachine::list(std::string_view name) {
+    const CodeGlobal* const found = program_->find_global(name);
+    if (found == nullptr || program_->types[found->type].kind != CodeType::Kind::list) return {};
     const std::span<std::uint32_t> handle = global(name);
-    if (handle.size() != 1 || handle[0] >= blocks_.size() || handle[0] == 0) return {};
+    if (handle[0] >= blocks_.size() || handle[0] == 0) return {};
     return blocks_[handle[0]];
 }
 
 void CodeMachine::resize_list(std::string_view name, std::size_t words) {
+    const CodeGlobal* const found = program_->find_global(name);
+    if (found == nullptr || program_->types[found->type].kind != CodeType::Kind::list) return;
     const std::span<std::uint32_t> handle = global(name);
     if (handle.size() == 1) resize(handle[0], static_cast<std::int64_t>(words));
 }
@@ -200,6 +212,9 @@ void CodeMachine::resize(std::uint32_t& list, std::int64_t words) {
         return;
     }
     Words& block = blocks_[list];
+    // Memory takes time as well.
+    const std::int64_t more = words - static_cast<std::int64_t>(block.size());
+    if (more > 0) most_lines_ -= more / words_of_line;
     list_words_ += words - static_cast<std::int64_t>(block.size());
     block.resize(static_cast<std::size_t>(words), 0u);
 }

@@ -74,6 +74,11 @@ CodeTypes::CodeTypes() {
 }
 
 CodeTypeId CodeTypes::add(CodeType type) {
+    type.has_list =
+        type.kind == TypeKind::list ||
+        (type.kind == TypeKind::array && (*this)[type.element].has_list) ||
+        std::any_of(type.fields.begin(), type.fields.end(),
+                    [&](const CodeField& field) { return (*this)[field.type].has_list; });
     all_.push_back(std::move(type));
     return static_cast<CodeTypeId>(all_.size()) - 1;
 }
@@ -117,12 +122,7 @@ bool CodeTypes::is_number(CodeTypeId id) const {
 }
 
 bool CodeTypes::has_list(CodeTypeId id) const {
-    const CodeType& type = (*this)[id];
-    if (type.kind == TypeKind::list) return true;
-    if (type.kind == TypeKind::array) return has_list(type.element);
-    return type.kind == TypeKind::structure &&
-           std::any_of(type.fields.begin(), type.fields.end(),
-                       [&](const CodeField& field) { return has_list(field.type); });
+    return (*this)[id].has_list;
 }
 
 const CodeField* CodeTypes::field(CodeTypeId id, std::string_view name) const {

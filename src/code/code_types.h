@@ -39,6 +39,7 @@ struct CodeType {
     int count = 1;          ///< elements of an array, vector or column
     CodeTypeId element = 0; ///< their type, or the column's
     std::vector<CodeField> fields;
+    bool has_list = false; ///< see CodeTypes::has_list()
 };
 
 /// The types that every program has; their places in the table.

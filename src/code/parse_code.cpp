@@ -31,7 +31,7 @@ constexpr std::array<std::array<std::string_view, 4>, 6> strengths{{
     {"*", "/", "%"},
 }};
 
-constexpr std::array<std::string_view, 5> assignments{"=", "+=", "-=", "*=", "/="};
+constexpr std::array<std::string_view, 6> assignments{"=", "+=", "-=", "*=", "/=", "%="};
 
 /// Words before a type that change nothing here.
 constexpr std::array<std::string_view, 4> storage_words{"static", "inline", "constexpr", "const"};

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "lab_code/code_frame.h"
 
@@ -30,6 +32,21 @@ CodeArrival arrival_at(CodeEnd end) {
     return CodeArrival::ended;
 }
 
+/// A fault in a line of the program, "code:187: ...", with the file of that line.
+std::string in_own_file(std::string_view fault, const LabCode& code,
+                        const std::vector<ChosenLine>& lines) {
+    constexpr std::string_view prefix = "code:";
+    int line = 0;
+    std::size_t at = prefix.size();
+    while (at < fault.size() && fault[at] >= '0' && fault[at] <= '9' && line < 1'000'000)
+        line = 10 * line + (fault[at++] - '0');
+    if (!fault.starts_with(prefix) || line < 1 || line > static_cast<int>(lines.size()))
+        return std::string(fault);
+    const ChosenLine& own = lines[static_cast<std::size_t>(line - 1)];
+    return fmt::format("{}:{}{}", code.files[static_cast<std::size_t>(own.file)].name, own.line,
+                       fault.substr(at));
+}
+
 bool has_same_text(const std::vector<ChosenLine>& a, const std::vector<ChosenLine>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.text == y.text; });
@@ -43,7 +60,7 @@ std::size_t CodeWalk::mark_named(std::string_view name) const {
 }
 
 std::shared_ptr<const CodeProgram>
-CodeWalk::compiled(const std::vector<ChosenLine>& lines, Viewport picture,
+CodeWalk::compiled(const LabCode& code, const std::vector<ChosenLine>& lines, Viewport picture,
                    const std::vector<LineCondition>& conditions) {
     std::vector<CodeStop> stops;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -52,15 +69,26 @@ CodeWalk::compiled(const std::vector<ChosenLine>& lines, Viewport picture,
                 stops.push_back({static_cast<int>(i) + 1, condition.text});
         }
     }
-    auto program = std::make_shared<const CodeProgram>(
-        compile_code(source_text(lines, picture), "the lab's code", stops));
+    std::shared_ptr<const CodeProgram> program;
+    try {
+        program = std::make_shared<const CodeProgram>(
+            compile_code(source_text(lines, picture), "code", stops));
+    } catch (const InputError& error) {
+        throw InputError(in_own_file(error.what(), code, lines));
+    }
     const auto has_mark = [&](std::string_view name) {
         const std::vector<std::string>& marks = program->marks;
         return std::find(marks.begin(), marks.end(), name) != marks.end();
     };
-    if (program->find_function("Draw") < 0 || !has_mark("triangle") || !has_mark("vertex"))
-        throw InputError("the lab's code has no function Draw, or no marks for its triangles and "
-                         "vertices.");
+    const int draw = program->find_function("Draw");
+    const bool has_draw =
+        draw >= 0 && program->functions[static_cast<std::size_t>(draw)].parameters.empty();
+    const bool are_whole = has_mark("sample") == has_mark("edge") &&
+                           has_mark("test") == has_mark("boxrow") &&
+                           (has_mark("row") || !has_mark("fragment"));
+    if (!has_draw || !are_whole || !has_mark("triangle") || !has_mark("vertex"))
+        throw InputError("the lab's code has no function Draw() without parameters, or lacks marks "
+                         "of its moments.");
     return program;
 }
 
@@ -75,7 +103,7 @@ void CodeWalk::take(const LabCode& code, const Frame& frame, std::uint64_t numbe
                           has_same_text(lines, lines_);
     // Nothing has changed until the program is there.
     if (missing.empty() && !is_known) {
-        program_ = compiled(lines, picture, conditions);
+        program_ = compiled(code, lines, picture, conditions);
         make_machine();
     }
     if (!missing.empty()) machine_ = nullptr;
@@ -91,7 +119,12 @@ void CodeWalk::take(const LabCode& code, const Frame& frame, std::uint64_t numbe
 
 void CodeWalk::make_machine() {
     machine_ = std::make_unique<CodeMachine>(program_);
-    machine_->begin();
+    if (machine_->begin() != CodeEnd::done) {
+        const std::string fault = machine_->fault().sentence;
+        machine_ = nullptr;
+        throw InputError("the lab's code cannot give its variables their values" +
+                         (fault.empty() ? "." : ": " + fault));
+    }
     triangle_ = mark_named("triangle");
     vertex_ = mark_named("vertex");
     cull_ = mark_named("cull");
@@ -114,6 +147,7 @@ void CodeWalk::make_machine() {
 /// The moment that begins with the line that gives a mark its value; none if it begins none.
 std::optional<Cursor> CodeWalk::moment_of(std::size_t mark, std::span<const int> marks) const {
     const int triangle = marks[triangle_];
+    if (triangle < 0 || triangle >= frame_->triangle_count()) return std::nullopt;
     if (mark == vertex_ && frame_->has_moments(triangle))
         return Cursor{triangle, Phase::vertices, marks[vertex_], 0};
     if (mark == cull_ && frame_->is_cull_tested(triangle))

@@ -92,7 +92,7 @@ class CodeWalk {
 
   private:
     static std::shared_ptr<const CodeProgram>
-    compiled(const std::vector<ChosenLine>& lines, Viewport picture,
+    compiled(const LabCode& code, const std::vector<ChosenLine>& lines, Viewport picture,
              const std::vector<LineCondition>& conditions);
     void make_machine();
     std::optional<Cursor> moment_of(std::size_t mark, std::span<const int> marks) const;

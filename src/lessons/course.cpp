@@ -53,9 +53,14 @@ CourseLesson course_lesson(const TomlInput& input, const std::vector<std::string
 }
 
 /// @param known ids of the lessons before it; receives its own
+constexpr std::size_t most_track_letters = 500; ///< of a text: what fits into the list
+
 Track course_track(const TomlInput& input, std::vector<std::string>& known) {
     input.allow_only({"title", "about", "needs", "lessons"});
     Track track{input.text("title"), input.text("about"), input.text("needs"), {}};
+    if (std::max({track.title.size(), track.about.size(), track.needs.size()}) > most_track_letters)
+        input.fail(
+            fmt::format("The texts of a track may have at most {} letters.", most_track_letters));
     for (const toml::node& node : input.list("lessons")) {
         if (known.size() >= most_lessons)
             input.fail(node, fmt::format("a course may have at most {} lessons.", most_lessons));

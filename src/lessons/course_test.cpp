@@ -17,6 +17,9 @@ namespace rasterwalk {
 
 namespace {
 
+/// What fits into the sheet.
+constexpr std::size_t most_question_letters = 1000, most_answer_letters = 300, most_answers = 8;
+
 TestItem read_item(const TomlInput& input, const std::vector<TestItem>& before) {
     input.allow_only({"id", "lesson", "question", "right", "wrong"});
     if (before.size() >= most_test_items)
@@ -33,6 +36,13 @@ TestItem read_item(const TomlInput& input, const std::vector<TestItem>& before) 
             input.fail(node, "There are two answers " + in_quotes(*text) + ".");
         item.choices.push_back(*text);
     }
+    for (const std::string& text : item.choices) {
+        if (text.size() > most_answer_letters || item.question.size() > most_question_letters)
+            input.fail(fmt::format("A question may have at most {} letters, an answer {}.",
+                                   most_question_letters, most_answer_letters));
+    }
+    if (item.choices.size() > most_answers)
+        input.fail(fmt::format("An item may have at most {} answers.", most_answers));
     if (item.choices.size() < 2) input.fail("An item needs at least one wrong answer.");
     item.order = shuffled(static_cast<int>(item.choices.size()), "test/" + item.id);
     return item;

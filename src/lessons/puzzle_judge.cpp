@@ -58,11 +58,16 @@ class Examinee {
               compile_code(std::string(exam.before) + source_of(lines) + std::string(exam.after),
                            std::string(puzzle_file)))) {
         machine_.allow_words(most_vector_words);
-        machine_.begin();
+        has_begun_ = machine_.begin() == CodeEnd::done;
     }
 
     /// The answer; empty and a verdict if there is none.
     std::vector<float> ask(const PuzzleQuestion& question, PuzzleVerdict& verdict) {
+        if (!has_begun_) {
+            verdict.sentence = "The variables before the functions cannot get their values. " +
+                               machine_.fault().sentence;
+            return {};
+        }
         machine_.resize_list("given", question.given.size());
         const std::span<std::uint32_t> given = machine_.list("given");
         for (std::size_t i = 0; i < question.given.size(); ++i)
@@ -105,6 +110,7 @@ class Examinee {
     int lines_before_;
     int lines_;
     CodeMachine machine_;
+    bool has_begun_ = false; ///< the global variables have their values
 };
 
 /// "code:12: sentence." in its parts.

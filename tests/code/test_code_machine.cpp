@@ -178,6 +178,32 @@ TEST_CASE("what is not understood is said with its line") {
           "lab.cpp:1: This is nested too deeply.");
 }
 
+TEST_CASE("what needs too much room is refused, or ends") {
+    const std::string big = "struct Big { vec4 a; vec4 b; vec4 c; vec4 d; };\n"
+                            "struct Huge { Big a; Big b; Big c; Big d; Big e; Big f; };\n";
+    std::string parameters = "Huge p0";
+    for (int i = 1; i < 300; ++i)
+        parameters += ", Huge p" + std::to_string(i);
+    CHECK(refusal_of(big + "void f(" + parameters + ") {\n}\n") ==
+          "lab.cpp:3: The parameters of f need too much room.");
+    std::string nested = "struct S0 { vec4 a; };\n";
+    for (int i = 1; i < 60; ++i)
+        nested += "struct S" + std::to_string(i) + " { S" + std::to_string(i - 1) + " a; S" +
+                  std::to_string(i - 1) + " b; };\n";
+    CHECK(refusal_of(nested).find("need too much room.") != std::string::npos);
+    CHECK(refusal_of("struct E { };\n") == "lab.cpp:1: A struct needs members: E has none.");
+    CHECK(refusal_of("void f() {\nfloat a = 1e39f;\n}") ==
+          "lab.cpp:2: The number 1e39f is too large.");
+
+    // Memory counts as lines do.
+    CodeMachine greedy = machine_of("void f() {\nwhile (true) {\nvector<int> v(1000000);\n}\n}");
+    greedy.allow(1'000'000);
+    CHECK(greedy.run() == CodeEnd::too_long);
+    CHECK(greedy.lines() < 1000);
+    CodeMachine endless(program_of("int f() {\nwhile (true) {\n}\nreturn 1;\n}\nint g = f();\n"));
+    CHECK(endless.begin() == CodeEnd::too_long);
+}
+
 TEST_CASE("the machine pauses before lines, and shows what they computed") {
     const std::string source = "int total = 0;\n"
                                "void add(int a) {\n"

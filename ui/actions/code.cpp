@@ -35,11 +35,22 @@ void read_code(CodeLook& look) {
     if (!look.code) look.code = read_lab_code(lessons_folder() + "/code");
 }
 
-/// Conditions that cannot be kept would be in the way of everything.
-void drop_conditions(Ui& ui, const std::string& why) {
-    ui.code.conditions.clear();
-    ui.code.edited = std::nullopt;
-    ui.session.notice = "The conditions of lines are removed. " + why;
+/// A condition that cannot be kept would be in the way of everything.
+/// @param line of the program, whose condition it is; 0: not known, and none is kept
+void drop_conditions(Ui& ui, const std::string& why, int line = 0) {
+    CodeLook& look = ui.code;
+    const std::vector<ChosenLine>& lines = look.walk.lines();
+    const bool is_known = line > 0 && line <= static_cast<int>(lines.size());
+    const auto is_of_line = [&](const LineCondition& one) {
+        const ChosenLine& own = lines[static_cast<std::size_t>(line - 1)];
+        return one.file == own.file && one.line == own.line;
+    };
+    const std::size_t dropped = is_known ? std::erase_if(look.conditions, is_of_line) : 0;
+    if (dropped == 0) look.conditions.clear();
+    look.edited = std::nullopt;
+    ui.session.notice = (dropped == 0 ? "The conditions of lines are removed. "
+                                      : "The condition of the line is removed. ") +
+                        why;
 }
 
 void take_frame(Ui& ui) {
@@ -68,9 +79,14 @@ void seek_moment(Ui& ui) {
     look.place = look.walk.seek(look.place, *a.framebuffer);
     look.is_ready = look.walk.is_there();
     if (look.is_ready) return;
-    const std::string fault = look.walk.machine().fault().sentence;
-    if (look.conditions.empty()) throw InputError(fault);
-    drop_conditions(ui, fault);
+    const CodeFault& fault = look.walk.machine().fault();
+    if (!look.conditions.empty()) {
+        drop_conditions(ui, fault.sentence, fault.line);
+        return;
+    }
+    look.failed_at = std::pair{a.frame_number, a.cursor};
+    throw InputError(fault.sentence.empty() ? "The code does not come to this moment."
+                                            : fault.sentence);
 }
 
 /// What is said when the end of the program is reached instead.
@@ -86,7 +102,8 @@ void go_on_running(Ui& ui) {
     look.is_running = false;
     if (arrival == CodeArrival::failed) {
         look.is_ready = false;
-        drop_conditions(ui, look.walk.machine().fault().sentence);
+        const CodeFault& fault = look.walk.machine().fault();
+        drop_conditions(ui, fault.sentence, fault.line);
         return;
     }
     take_place(ui);
@@ -131,6 +148,9 @@ void follow_code(Ui& ui) {
         if (look.is_running) return;
     }
     look.is_running = false;
+    // What has failed is not tried again in each frame.
+    if (look.failed_at == std::pair{a.frame_number, a.cursor}) return;
+    look.failed_at = std::nullopt;
     try {
         look.fault.clear();
         seek_moment(ui);

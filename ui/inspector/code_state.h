@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab_code/code_walk.h"
@@ -13,8 +15,10 @@ namespace rasterwalk {
 struct CodeLook {
     std::optional<LabCode> code; ///< none: not read yet
     CodeWalk walk;
-    bool is_ready = false;   ///< `walk` is at `place`, which is the moment of the picture
-    std::string fault;       ///< why it is not; empty: there is no fault
+    bool is_ready = false; ///< `walk` is at `place`, which is the moment of the picture
+    std::string fault;     ///< why it is not; empty: there is no fault
+    /// The frame and the moment at which it failed; none: it has not.
+    std::optional<std::pair<std::uint64_t, Cursor>> failed_at;
     CodePlace place;         ///< the line that comes next
     bool is_running = false; ///< to a goal, over several frames
     bool is_meeting = false; ///< the goal is a line or a condition
