@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "base/text_parts.h"
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "lab_code/code_walk.h"
@@ -86,8 +87,8 @@ void code_command(const CodeOptions& options, std::ostream& out) {
     draw(frame, before, planes);
     const CodePlace place = walk.seek({moment, options.lines}, planes);
     if (!walk.is_there())
-        throw InputError("the lab's code does not come to this moment. " +
-                         walk.machine().fault().sentence);
+        throw InputError(std::string(trimmed("the lab's code does not come to this moment. " +
+                                             walk.machine().fault().sentence)));
     std::vector<CodeCall> calls = walk.machine().calls();
     std::reverse(calls.begin(), calls.end());
     std::vector<CodeSpot> spots;

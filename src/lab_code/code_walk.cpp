@@ -181,7 +181,9 @@ void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
     give_planes(*machine_, planes);
     if (row_ < program_->marks.size()) machine_->skip_to(row_, nothing_skipped);
     is_over_ = arrival == CodeArrival::ended;
-    is_there_ = arrival == CodeArrival::arrived || is_over_;
+    // Only at the end of the frame may the program have ended.
+    const bool is_end = cursor.triangle >= frame_->triangle_count();
+    is_there_ = arrival == CodeArrival::arrived || (is_over_ && is_end);
 }
 
 /// Runs to a moment's first line, passing over conditions of lines.
