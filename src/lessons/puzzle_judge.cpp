@@ -56,10 +56,8 @@ class Examinee {
         : lines_before_(line_count(exam.before)), lines_(static_cast<int>(lines.size())),
           machine_(std::make_shared<const CodeProgram>(
               compile_code(std::string(exam.before) + source_of(lines) + std::string(exam.after),
-                           std::string(puzzle_file)))) {
-        machine_.allow_words(most_vector_words);
-        has_begun_ = machine_.begin() == CodeEnd::done;
-    }
+                           std::string(puzzle_file)))),
+          has_begun_(begin()) {}
 
     /// The answer; empty and a verdict if there is none.
     std::vector<float> ask(const PuzzleQuestion& question, PuzzleVerdict& verdict) {
@@ -93,6 +91,11 @@ class Examinee {
     }
 
   private:
+    bool begin() {
+        machine_.allow_words(most_vector_words);
+        return machine_.begin() == CodeEnd::done;
+    }
+
     /// A line of the source as a line of the function; 0 if it is outside of it.
     int own_line(int line) const {
         const int own = line - lines_before_;
@@ -110,7 +113,7 @@ class Examinee {
     int lines_before_;
     int lines_;
     CodeMachine machine_;
-    bool has_begun_ = false; ///< the global variables have their values
+    bool has_begun_; ///< the global variables have their values
 };
 
 /// "code:12: sentence." in its parts.
