@@ -125,7 +125,7 @@ void Draw()
 #else
         currentLight = ReflectedLight(middle, triangles[t].normal, triangles[t].color);
 #endif
-#elif !stage_points && !stage_edges && !stage_rows && !stage_vertex_light && !(scene_corners && stage_pixel_light)
+#elif stage_fill || stage_depth || stage_unlit || (stage_pixel_light && !scene_corners)
         currentReflectance = triangles[t].color;
 #endif
         DrawPolygon(vertices);

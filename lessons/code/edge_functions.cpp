@@ -1,8 +1,9 @@
 #if coverage_edge_functions && !stage_points && !stage_edges
-// On which side of an edge a point lies, and how far: twice the area of the triangle that they make.
+// On which side of an edge a point lies, and how far: twice the area of the triangle they make.
 double EdgeFunction(const Pixel& from, const Pixel& to, double px, double py)
 {
-    return (to.gridX - from.gridX) * (py - from.gridY) - (to.gridY - from.gridY) * (px - from.gridX);
+    return (to.gridX - from.gridX) * (py - from.gridY) -
+           (to.gridY - from.gridY) * (px - from.gridX);
 }
 
 #if !fill_rule_inclusive
@@ -77,13 +78,13 @@ void ComputePolygonRows(const vector<Pixel>& vertexPixels, vector<Pixel>& leftPi
         int r = y - top; //@ boxrow y - top
         for (int x = firstColumn; x <= lastColumn; ++x)
         {
-            double px = 256.0 * x + 128; //@ test x < 0 || x >= SCREEN_WIDTH || y < 0 || y >= SCREEN_HEIGHT ? -1 : x - left
-            double py = 256.0 * y + 128;
-            double e0 = EdgeFunction(a, b, px, py);
+            double px = 256.0 * x + 128; //@ pixelcolumn x
+            double py = 256.0 * y + 128; //@ pixelrow y
+            double e0 = EdgeFunction(a, b, px, py); //@ test x - left
             double e1 = EdgeFunction(b, c, px, py);
             double e2 = EdgeFunction(c, a, px, py);
-            bool inside = area != 0 && IsInside(a, b, e0, area) &&
-                          IsInside(b, c, e1, area) && IsInside(c, a, e2, area);
+            bool inside = area != 0 && IsInside(a, b, e0, area) && IsInside(b, c, e1, area) &&
+                          IsInside(c, a, e2, area);
             if (inside && x < leftPixels[r].x)
                 leftPixels[r].x = x;
             if (inside && x > rightPixels[r].x)

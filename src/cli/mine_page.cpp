@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/html.h"
 #include "cli/mine_json.h"
 
 namespace rasterwalk {
@@ -36,34 +37,11 @@ figcaption { color: var(--quiet); font-size: 13px; }
 <body>
 )";
 
-std::string escaped(std::string_view text) {
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            html += "&amp;";
-            break;
-        case '<':
-            html += "&lt;";
-            break;
-        case '>':
-            html += "&gt;";
-            break;
-        case '"':
-            html += "&quot;";
-            break;
-        default:
-            html += c;
-        }
-    }
-    return html;
-}
-
 /// A text of an object, escaped; empty if it has none.
 std::string text_of(const Json& object, const char* key) {
     const auto found = object.is_object() ? object.find(key) : object.end();
     if (!object.is_object() || found == object.end() || !found->is_string()) return {};
-    return escaped(found->get<std::string>());
+    return in_html(found->get<std::string>());
 }
 
 std::int64_t number_of(const Json& object, const char* key) {
@@ -104,9 +82,9 @@ std::string mistake_text(const Json& mistake) {
     for (std::size_t i = 0; i < bugs.size(); ++i) {
         if (!bugs[i].is_string()) continue;
         html +=
-            fmt::format("{}<b>{}</b>", i > 0 ? " or " : "", escaped(bugs[i].get<std::string>()));
+            fmt::format("{}<b>{}</b>", i > 0 ? " or " : "", in_html(bugs[i].get<std::string>()));
         if (i < names.size() && names[i].is_string())
-            html += ' ' + escaped(names[i].get<std::string>());
+            html += ' ' + in_html(names[i].get<std::string>());
     }
     if (!bugs.empty()) html += ". ";
     return html + text_of(mistake, "sentence");

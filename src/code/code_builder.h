@@ -1,7 +1,7 @@
 #pragma once
 
-// Makes instructions of the syntax of a program: the state that its two halves share,
-// build_expressions.cpp and build_statements.cpp.
+// Makes instructions of the syntax of a program: the state that its parts share, the files
+// build_*.cpp.
 
 #include <map>
 #include <optional>
@@ -50,6 +50,12 @@ struct BuiltLoop {
 /// that is called. Slots below 0 are those of notes, counted down.
 inline constexpr int called_frame = 1 << 20;
 
+/// The end of a sentence about a name that is not known: what may be meant.
+std::string or_meant(const std::string& name, const std::vector<std::string_view>& names);
+
+/// How far a conversion is from none; -1: there is none.
+int distance_between(const CodeTypes& types, CodeTypeId from, CodeTypeId to);
+
 class CodeBuilder {
   public:
     CodeBuilder(const CodeSyntax& syntax, const std::vector<CodeStop>& stops);
@@ -57,39 +63,43 @@ class CodeBuilder {
     CodeProgram build();
 
   private:
-    // build_statements.cpp
+    // build_declarations.cpp
     void build_structures();
     void build_signatures();
+    CodeTypeId type_with_sizes(CodeTypeId type, const CodeVariable& variable);
+    void build_declaration(const CodeStatement& statement);
+    BuiltValue variable_value(CodeTypeId id, const CodeVariable& variable);
+    void build_reference(CodeTypeId type, bool is_const, const CodeVariable& variable);
+    void build_variable(const CodeStatement& statement, const CodeVariable& variable);
     void build_globals();
+    void build_global(const CodeStatement& statement, const CodeVariable& variable);
+
+    // build_statements.cpp
     void build_function(const WrittenFunction& written);
     void build_statement(const CodeStatement& statement);
     void build_one(const CodeStatement& statement);
     void build_block(const CodeStatement& block);
-    void build_declaration(const CodeStatement& statement);
-    void build_global(const CodeStatement& statement, const CodeVariable& variable);
-    void build_variable(const CodeStatement& statement, const CodeVariable& variable);
-    void build_reference(CodeTypeId type, bool is_const, const CodeVariable& variable);
     void build_choice(const CodeStatement& statement);
     void build_while(const CodeStatement& statement);
     void build_for(const CodeStatement& statement);
     void build_for_each(const CodeStatement& statement);
     void build_return(const CodeStatement& statement);
     void build_jump(const CodeStatement& statement);
-    void build_marks(int line);
-    void build_stops(int line);
-    void check_stops() const;
-    int reserve_for_note(int words);
     void finish_frame();
-    BuiltValue variable_value(CodeTypeId id, const CodeVariable& variable);
-    CodeTypeId type_with_sizes(CodeTypeId type, const CodeVariable& variable);
     void begin_line(int line);
-    void note_value(int line, const BuiltValue& value);
-    int build_condition(const CodeExpression& expression);
     void begin_scope();
     void end_scope();
     void free_lists(std::size_t down_to);
     void declare(const std::string& name, const NamedVariable& variable, int line);
     void end_loop(const BuiltLoop& loop, std::size_t go_on_target);
+
+    // build_marks.cpp
+    void build_stops(int line);
+    void check_stops() const;
+    void build_marks(int line);
+    void note_value(int line, const BuiltValue& value);
+    int build_condition(const CodeExpression& expression);
+    int reserve_for_note(int words);
 
     // build_expressions.cpp
     BuiltValue build(const CodeExpression& expression);
@@ -103,17 +113,19 @@ class CodeBuilder {
     BuiltValue build_assignment(const CodeExpression& expression);
     BuiltValue build_step(const CodeExpression& expression);
     BuiltValue build_conditional(const CodeExpression& expression);
+    BuiltValue build_index(const CodeExpression& expression);
+    BuiltValue build_member(const CodeExpression& expression);
+
+    // build_calls.cpp
     BuiltValue build_call(const CodeExpression& expression);
     BuiltValue build_own_call(int function, const CodeExpression& expression);
     BuiltValue build_host_call(const std::string& name, const std::vector<BuiltValue>& arguments,
                                int line);
     BuiltValue build_construction(CodeTypeId id, const std::vector<CodeExpressionPtr>& parts,
                                   int line);
-    BuiltValue build_index(const CodeExpression& expression);
-    BuiltValue build_member(const CodeExpression& expression);
     BuiltValue build_method(const CodeExpression& expression);
 
-    // Values.
+    // build_values.cpp
     BuiltValue temporary(CodeTypeId type);
     int in_slots(const BuiltValue& value);
     int place_of(const BuiltValue& value);

@@ -127,8 +127,8 @@ bool CodeTypes::has_list(CodeTypeId id) const {
 
 const CodeField* CodeTypes::field(CodeTypeId id, std::string_view name) const {
     const CodeType& type = (*this)[id];
-    const bool is_vector = type.kind == TypeKind::int_vector || type.kind == TypeKind::real_vector;
-    const std::size_t colour = is_vector && name.size() == 1 ? colour_names.find(name) : name.npos;
+    const std::size_t colour =
+        is_vector(type) && name.size() == 1 ? colour_names.find(name) : name.npos;
     for (std::size_t i = 0; i < type.fields.size(); ++i)
         if (type.fields[i].name == name || i == colour) return &type.fields[i];
     return nullptr;

@@ -42,6 +42,11 @@ struct CodeType {
     bool has_list = false; ///< see CodeTypes::has_list()
 };
 
+/// Is it a vector of GLM?
+inline bool is_vector(const CodeType& type) {
+    return type.kind == CodeType::Kind::int_vector || type.kind == CodeType::Kind::real_vector;
+}
+
 /// The types that every program has; their places in the table.
 namespace code_type {
 enum : CodeTypeId {

@@ -83,9 +83,10 @@ CodeWalk::compiled(const LabCode& code, const std::vector<ChosenLine>& lines, Vi
     const int draw = program->find_function("Draw");
     const bool has_draw =
         draw >= 0 && program->functions[static_cast<std::size_t>(draw)].parameters.empty();
-    const bool are_whole = has_mark("sample") == has_mark("edge") &&
-                           has_mark("test") == has_mark("boxrow") &&
-                           (has_mark("row") || !has_mark("fragment"));
+    const bool are_whole =
+        has_mark("sample") == has_mark("edge") && has_mark("test") == has_mark("boxrow") &&
+        has_mark("test") == has_mark("pixelcolumn") && has_mark("test") == has_mark("pixelrow") &&
+        (has_mark("row") || !has_mark("fragment"));
     if (!has_draw || !are_whole || !has_mark("triangle") || !has_mark("vertex"))
         throw InputError("the lab's code has no function Draw() without parameters, or lacks marks "
                          "of its moments.");
@@ -109,6 +110,11 @@ void CodeWalk::take(const LabCode& code, const Frame& frame, std::uint64_t numbe
     if (!missing.empty()) machine_ = nullptr;
     missing_ = std::move(missing);
     lines_ = std::move(lines);
+    begins_.assign(lines_.size() + 1, false);
+    if (machine_ != nullptr) {
+        for (const CodeLine& line : program_->lines)
+            begins_[static_cast<std::size_t>(line.line)] = true;
+    }
     conditions_ = conditions;
     picture_ = picture;
     frame_ = &frame;
@@ -132,6 +138,8 @@ void CodeWalk::make_machine() {
     sample_ = mark_named("sample");
     box_row_ = mark_named("boxrow");
     test_ = mark_named("test");
+    pixel_column_ = mark_named("pixelcolumn");
+    pixel_row_ = mark_named("pixelrow");
     row_ = mark_named("row");
     fragment_ = mark_named("fragment");
     machine_->pause_when([this](std::size_t mark, std::span<const int> marks) {
@@ -154,8 +162,11 @@ std::optional<Cursor> CodeWalk::moment_of(std::size_t mark, std::span<const int>
         return Cursor{triangle, Phase::cull, 0, 0};
     if (mark == sample_) return Cursor{triangle, Phase::edges, marks[edge_], marks[sample_]};
     // A pixel outside the picture is tested without a moment.
-    if (mark == test_ && marks[test_] >= 0)
-        return Cursor{triangle, Phase::tests, marks[box_row_], marks[test_]};
+    const auto is_outside = [](int place, int size) { return place < 0 || place >= size; };
+    if (mark == test_ && (is_outside(marks[pixel_column_], picture_.width) ||
+                          is_outside(marks[pixel_row_], picture_.height)))
+        return std::nullopt;
+    if (mark == test_) return Cursor{triangle, Phase::tests, marks[box_row_], marks[test_]};
     if (mark == fragment_) return Cursor{triangle, Phase::rows, marks[row_], marks[fragment_]};
     if (mark == row_ && !has_fragments(frame_->settings.stage))
         return Cursor{triangle, Phase::rows, marks[row_], 0};

@@ -73,6 +73,8 @@ class CodeWalk {
     /// What the code has no lines for, see missing_code(); empty: nothing.
     const std::string& missing() const { return missing_; }
     const std::vector<ChosenLine>& lines() const { return lines_; }
+    /// Does a statement begin in this line of the program, from 1?
+    bool begins(int line) const { return begins_[static_cast<std::size_t>(line)]; }
     const CodeMachine& machine() const { return *machine_; }
     CodeMachine& machine() { return *machine_; }
 
@@ -103,6 +105,7 @@ class CodeWalk {
     void settle();
 
     std::vector<ChosenLine> lines_;
+    std::vector<bool> begins_; ///< by the number of the line
     std::string missing_;
     std::vector<LineCondition> conditions_;
     std::shared_ptr<const CodeProgram> program_;
@@ -111,7 +114,7 @@ class CodeWalk {
     std::uint64_t number_ = 0;
     Viewport picture_;
     std::size_t triangle_ = 0, vertex_ = 0, cull_ = 0, edge_ = 0, sample_ = 0, box_row_ = 0,
-                test_ = 0, row_ = 0, fragment_ = 0;
+                test_ = 0, pixel_column_ = 0, pixel_row_ = 0, row_ = 0, fragment_ = 0;
     std::optional<Cursor> wanted_; ///< moment before whose first line the machine pauses
     std::optional<Cursor> begun_;  ///< the last moment that has begun
     std::int64_t begun_at_ = 0;    ///< lines before it

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "base/files.h"
+#include "base/html.h"
 #include "base/quoted.h"
 #include "base/toml_input.h"
 #include "lessons/choice_order.h"
@@ -46,26 +47,6 @@ TestItem read_item(const TomlInput& input, const std::vector<TestItem>& before) 
     if (item.choices.size() < 2) input.fail("An item needs at least one wrong answer.");
     item.order = shuffled(static_cast<int>(item.choices.size()), "test/" + item.id);
     return item;
-}
-
-std::string in_html(std::string_view text) {
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            html += "&amp;";
-            break;
-        case '<':
-            html += "&lt;";
-            break;
-        case '>':
-            html += "&gt;";
-            break;
-        default:
-            html += c;
-        }
-    }
-    return html;
 }
 
 std::string said_in(const TestAnswers& answers, const TestItem& item) {

@@ -30,16 +30,12 @@
 
 #define stage_rows 1
 namespace rasterwalk::test::compiled_rows {
-using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
-using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_rows
 #undef stage_rows
 
 #define stage_vertex_light 1
 namespace rasterwalk::test::compiled_vertex_light {
-using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
-using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_vertex_light
 #undef stage_vertex_light
@@ -47,8 +43,6 @@ using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow
 #define stage_pixel_light 1
 #define coverage_edge_functions 1
 namespace rasterwalk::test::compiled_edge_functions {
-using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
-using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_edge_functions
 #undef coverage_edge_functions
@@ -56,8 +50,6 @@ using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow
 #define line_bresenham 1
 #define interpolation_affine 1
 namespace rasterwalk::test::compiled_bresenham {
-using glm::cross, glm::dot, glm::mat3, glm::vec2, glm::vec3;
-using std::abs, std::clamp, std::floor, std::isinf, std::max, std::min, std::pow, std::sqrt, std::vector;
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_bresenham
 #undef line_bresenham

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -22,8 +21,6 @@ struct ShownCode {
     std::size_t call = 0;        ///< the one shown
     int line = 0;                ///< of the program, from 1: the one that comes next in that call
     int first = 0, last = 0;     ///< lines of the file
-    std::set<int> begun;         ///< lines of the program at which a statement begins
-    std::set<int> recent;        ///< carried out for the last moment, and since
 };
 
 ShownCode shown_code(const CodeLook& look) {
@@ -41,10 +38,6 @@ ShownCode shown_code(const CodeLook& look) {
     const FileLines file = file_around(lines, shown.line);
     shown.first = file.first;
     shown.last = file.last;
-    for (const CodeLine& line : program.lines)
-        shown.begun.insert(line.line);
-    for (const int line : look.walk.recent_lines())
-        shown.recent.insert(line);
     return shown;
 }
 
@@ -55,6 +48,12 @@ const LineCondition* condition_of(const CodeLook& look, const ChosenLine& line) 
         });
     return found == look.conditions.end() ? nullptr : &*found;
 }
+
+/// What a line has computed in the call shown.
+struct LineResult {
+    std::string value;   ///< empty: nothing
+    bool is_new = false; ///< it was carried out for the last moment, or since
+};
 
 /// Where the parts of a line are, screen pixels.
 struct LineLayout {
@@ -142,8 +141,9 @@ std::string line_tooltip(std::string_view text, const std::string& value, bool i
 }
 
 /// A line of the program and its value. Returns how many lines high it is.
-int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value,
+int draw_line(Ui& ui, const ShownCode& shown, int line, const LineResult& result,
               const LineLayout& at, float top) {
+    const std::string& value = result.value;
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ChosenLine& chosen = ui.code.walk.lines()[static_cast<std::size_t>(line - 1)];
@@ -153,7 +153,7 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value
     const std::string_view text = shown_words(chosen.text);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const std::string name = fmt::format("code.line.{}", number);
-    const bool can_stop = shown.begun.count(line) > 0;
+    const bool can_stop = ui.code.walk.begins(line);
     ImGui::SetCursorScreenPos({at.code, top});
     const ImVec2 size{std::max(at.right - at.code, 1.0f), at.height};
     if (!can_stop) {
@@ -167,7 +167,7 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value
         list->AddRectFilled({at.left, top}, {at.right, top + at.height},
                             packed(p.row_lit, is_next && is_innermost ? 1.0f : 0.55f));
     // What has just been carried out.
-    if (shown.recent.count(line) > 0 && !is_next)
+    if (result.is_new && !is_next)
         list->AddRectFilled({at.left, top}, {at.left + 2.0f * u, top + at.height},
                             packed(p.link, 0.7f));
     if (is_next) draw_current_bar(ui, list, {at.left, top}, top + at.height);
@@ -182,9 +182,8 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const std::string& value
         const float wide = text_width(fitting) + gap;
         const ImVec4& ground = is_next ? p.row_lit : p.card;
         list->AddRectFilled({end - wide, top}, {at.right, top + at.height}, packed(ground));
-        const bool is_new = shown.recent.count(line) > 0;
-        list->AddText({end - text_width(fitting), top + 2.0f * u}, packed(is_new ? p.link : p.dim),
-                      fitting.c_str());
+        list->AddText({end - text_width(fitting), top + 2.0f * u},
+                      packed(result.is_new ? p.link : p.dim), fitting.c_str());
         register_text(ui, name, value);
     }
     if (chosen.usual.empty()) return 1;
@@ -219,11 +218,13 @@ void draw_code_lines(Ui& ui, float height) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ShownCode shown = shown_code(look);
-    std::map<int, std::string> values;
+    std::map<int, LineResult> results; // by the line of the program
     if (!shown.calls.empty()) {
         for (CodeLineValue& value : look.walk.machine().line_values(shown.calls[shown.call]))
-            values[value.line] = std::move(value.text);
+            results[value.line].value = std::move(value.text);
     }
+    for (const int line : look.walk.recent_lines())
+        results[line].is_new = true;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, p.card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 4.0f * u});
     ImGui::BeginChild("code.lines", {0.0f, height}, false,
@@ -238,10 +239,9 @@ void draw_code_lines(Ui& ui, float height) {
     const float begin = ImGui::GetCursorScreenPos().y;
     int rows = 0, row_of_next = 0;
     for (int line = shown.first; line <= shown.last; ++line) {
-        const auto value = values.find(line);
         if (line == shown.line) row_of_next = rows;
-        rows += draw_line(ui, shown, line, value == values.end() ? std::string() : value->second,
-                          at, begin + static_cast<float>(rows) * at.height);
+        rows += draw_line(ui, shown, line, results[line], at,
+                          begin + static_cast<float>(rows) * at.height);
     }
     ImGui::SetCursorScreenPos({at.left, begin + static_cast<float>(rows) * at.height});
     ImGui::Dummy({1.0f, 1.0f});
