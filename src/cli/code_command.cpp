@@ -38,10 +38,6 @@ CodeSpot spot_of(const LabCode& code, const CodeWalk& walk, const CodeCall& call
             machine.variables(call)};
 }
 
-std::string without_indent(const std::string& text) {
-    return text.substr(std::min(text.find_first_not_of(' '), text.size()));
-}
-
 Json to_json(const CodeSpot& spot) {
     Json values = Json::object();
     for (const CodeShown& variable : spot.variables)
@@ -49,8 +45,8 @@ Json to_json(const CodeSpot& spot) {
     Json object{{"file", spot.file},
                 {"function", spot.function},
                 {"line", spot.line},
-                {"text", without_indent(spot.text)}};
-    if (!spot.usual.empty()) object["usual"] = without_indent(spot.usual);
+                {"text", trimmed(spot.text)}};
+    if (!spot.usual.empty()) object["usual"] = trimmed(spot.usual);
     object["values"] = std::move(values);
     return object;
 }
@@ -58,8 +54,8 @@ Json to_json(const CodeSpot& spot) {
 void print_spots(const std::vector<CodeSpot>& spots, std::ostream& out) {
     for (const CodeSpot& spot : spots) {
         out << fmt::format("{} at {}:{}\n    {}\n", spot.function, spot.file, spot.line,
-                           without_indent(spot.text));
-        if (!spot.usual.empty()) out << fmt::format("    right: {}\n", without_indent(spot.usual));
+                           trimmed(spot.text));
+        if (!spot.usual.empty()) out << fmt::format("    right: {}\n", trimmed(spot.usual));
     }
     if (spots.empty()) return;
     out << "\n";

@@ -68,7 +68,7 @@ void CodeBuilder::build_signatures() {
         if (written.result.is_reference)
             fail(written.line, "Functions that return a reference are not understood here");
         int slot = program_.types[made.result].words;
-        std::vector<bool> are_references, are_const;
+        std::vector<bool> are_const;
         for (const WrittenField& field : written.parameters) {
             CodeVariableInfo parameter;
             parameter.name = field.name;

@@ -18,7 +18,6 @@ using Where = BuiltValue::Where;
 
 CodeBuilder::CodeBuilder(const CodeSyntax& syntax, const std::vector<CodeStop>& stops)
     : syntax_(syntax), stops_(stops) {
-    program_.file = syntax.file;
     for (const CodeStop& stop : stops)
         stop_faults_.push_back(
             fmt::format("{}:{}: No statement begins in this line.", syntax.file, stop.line));

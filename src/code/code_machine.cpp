@@ -16,7 +16,7 @@ namespace {
 /// Giving the global variables their values takes at most so many lines.
 constexpr std::int64_t most_lines_of_start = 1'000'000;
 
-/// So many words of memory take about as long as a line.
+/// So many words of new memory count as a line.
 constexpr std::int64_t words_of_line = 64;
 
 constexpr std::uint32_t stack_block = 0, global_block = 1;
@@ -527,10 +527,6 @@ std::vector<int> CodeMachine::recent_lines(std::int64_t count) const {
     for (std::int64_t i = 1; i <= std::min({count, lines_, most_recent_lines}); ++i)
         lines.push_back(recent_[static_cast<std::size_t>((lines_ - i) % most_recent_lines)]);
     return lines;
-}
-
-std::vector<CodeCall> CodeMachine::calls() const {
-    return calls_;
 }
 
 std::string CodeMachine::text_of(CodeTypeId id, const std::uint32_t* words) const {

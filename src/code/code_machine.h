@@ -38,7 +38,7 @@ struct CodeCall {
     int at = 0;   ///< instruction
 };
 
-/// A variable of a function, or what a line has computed, as it is now.
+/// A variable of a function, as it is now.
 struct CodeShown {
     std::string name;
     std::string value;
@@ -102,12 +102,11 @@ class CodeMachine {
     /// Lines of the source that were begun last, the last one first: at most most_recent_lines.
     std::vector<int> recent_lines(std::int64_t count) const;
     static constexpr std::int64_t most_recent_lines = 256;
-    std::span<const int> marks() const { return marks_; }
     const CodeFault& fault() const { return fault_; }
     const CodeProgram& program() const { return *program_; }
 
     /// The functions that are being carried out, from outside to inside.
-    std::vector<CodeCall> calls() const;
+    const std::vector<CodeCall>& calls() const { return calls_; }
     /// The variables that are known where a call is.
     std::vector<CodeShown> variables(const CodeCall& call) const;
     /// What the lines of a call have computed so far.

@@ -154,7 +154,6 @@ struct CodeHostFunction {
 
 /// A program that can be carried out.
 struct CodeProgram {
-    std::string file;
     CodeTypes types;
     std::vector<CodeInstruction> instructions;
     std::vector<CodeLine> lines;    ///< statements, see CodeOp::line

@@ -1,94 +1,40 @@
 #include "lab_code/chosen_lines.h"
 
-#include <cctype>
 #include <optional>
 
 #include "base/error.h"
 #include "base/text_parts.h"
+#include "code/code_syntax.h"
 
 namespace rasterwalk {
 
 namespace {
 
-bool is_word_letter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// Works out a condition from left to right.
-class Condition {
-  public:
-    Condition(std::string_view text, const CodeWords& words) : rest_(text), words_(&words) {}
-
-    /// None if it is not one.
-    std::optional<bool> value() {
-        const bool result = any_of();
-        skip_blanks();
-        return is_wrong_ || !rest_.empty() ? std::nullopt : std::optional(result);
-    }
-
-    /// Does a mistake hold that it names?
-    bool names_mistake() const { return names_mistake_; }
-
-  private:
-    void skip_blanks() {
-        while (!rest_.empty() && rest_.front() == ' ')
-            rest_.remove_prefix(1);
-    }
-
-    bool take(std::string_view sign) {
-        skip_blanks();
-        if (!rest_.starts_with(sign)) return false;
-        rest_.remove_prefix(sign.size());
-        return true;
-    }
-
-    bool any_of() {
-        bool result = all_of();
-        // Both sides are read, whatever the first one is.
-        while (!is_wrong_ && take("||"))
-            result = all_of() || result;
-        return result;
-    }
-
-    bool all_of() {
-        bool result = term();
-        while (!is_wrong_ && take("&&"))
-            result = term() && result;
-        return result;
-    }
-
-    bool term() {
-        bool is_inverted = false;
-        while (take("!"))
-            is_inverted = !is_inverted;
-        return atom() != is_inverted;
-    }
-
-    bool atom() {
-        constexpr int most_brackets = 20;
-        if (take("(")) {
-            if (++depth_ > most_brackets) is_wrong_ = true;
-            const bool result = !is_wrong_ && any_of();
-            if (!take(")")) is_wrong_ = true;
-            --depth_;
-            return result;
-        }
-        std::size_t size = 0;
-        while (size < rest_.size() && is_word_letter(rest_[size]))
-            ++size;
-        if (size == 0) is_wrong_ = true;
-        const std::string_view word = rest_.substr(0, size);
-        rest_.remove_prefix(size);
-        if (size == 0 || !words_->holds(word)) return false;
-        names_mistake_ = names_mistake_ || words_->is_mistake(word);
-        return true;
-    }
-
-    std::string_view rest_;
-    const CodeWords* words_;
-    int depth_ = 0;
-    bool is_wrong_ = false, names_mistake_ = false;
+/// What a condition says, and whether a mistake holds that it names.
+struct Answer {
+    bool holds = false, is_mistaken = false;
 };
+
+/// None if it is not a condition: nothing but words, !, && and ||.
+std::optional<Answer> answer_of(const CodeExpression& condition, const CodeWords& words) {
+    if (condition.kind == CodeExpression::Kind::name) {
+        const bool holds = words.holds(condition.text);
+        return Answer{holds, holds && words.is_mistake(condition.text)};
+    }
+    std::vector<Answer> parts; // all are read, whatever the first one is
+    for (const CodeExpressionPtr& part : condition.parts) {
+        const std::optional<Answer> answer = answer_of(*part, words);
+        if (!answer) return std::nullopt;
+        parts.push_back(*answer);
+    }
+    if (condition.kind == CodeExpression::Kind::unary && condition.text == "!")
+        return Answer{!parts[0].holds, parts[0].is_mistaken};
+    if (condition.kind != CodeExpression::Kind::binary) return std::nullopt;
+    const bool is_mistaken = parts[0].is_mistaken || parts[1].is_mistaken;
+    if (condition.text == "&&") return Answer{parts[0].holds && parts[1].holds, is_mistaken};
+    if (condition.text == "||") return Answer{parts[0].holds || parts[1].holds, is_mistaken};
+    return std::nullopt;
+}
 
 /// An #if that is open.
 struct OpenChoice {
@@ -125,14 +71,15 @@ class Chooser {
 
     bool is_reached() const { return open_.empty() || open_.back().is_chosen; }
 
-    struct Answer {
-        bool holds = false, is_mistaken = false;
-    };
     Answer value_of(std::string_view text) const {
-        Condition condition(text, *words_);
-        const std::optional<bool> value = condition.value();
-        if (!value) fail(line_, "A condition has words, !, &&, || and parentheses.");
-        return {*value, condition.names_mistake()};
+        std::optional<Answer> answer;
+        try {
+            answer = answer_of(*parse_code_expression(text, *name_), *words_);
+        } catch (const InputError&) {
+            // Said below.
+        }
+        if (!answer) fail(line_, "A condition has words, !, &&, || and parentheses.");
+        return *answer;
     }
 
     void read_line(std::string_view line) {

@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the lines of a moment are looked for: no moment has more.
+/// A moment with more lines is given up: the window would stand still.
 constexpr std::int64_t most_lines_of_moment = 20'000'000;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 constexpr int nothing_skipped = std::numeric_limits<int>::min();

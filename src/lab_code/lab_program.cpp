@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -107,11 +108,15 @@ bool shows_highlights(const Frame& frame) {
 
 /// Does a word of a condition name a mistake?
 bool is_mistake_word(std::string_view word) {
-    const std::span<const StageFunction> rows = stage_functions();
-    return std::any_of(rows.begin(), rows.end(), [&](const StageFunction& row) {
-        return row.file.starts_with("mistakes/") &&
-               word == word_of_value(row.setting->name, row.word);
-    });
+    static const std::set<std::string, std::less<>> words = [] {
+        std::set<std::string, std::less<>> all;
+        for (const StageFunction& row : stage_functions()) {
+            if (row.file.starts_with("mistakes/"))
+                all.insert(word_of_value(row.setting->name, row.word));
+        }
+        return all;
+    }();
+    return words.find(word) != words.end();
 }
 
 /// What the scene has that settings do not name.
@@ -251,8 +256,14 @@ bool code_word_holds(std::string_view word, const Frame& frame) {
 
 std::vector<ChosenLine> lines_for(const LabCode& code, const Frame& frame) {
     std::vector<ChosenLine> lines;
-    const CodeWords words{[&](std::string_view word) { return code_word_holds(word, frame); },
-                          is_mistake_word};
+    std::map<std::string, bool, std::less<>> known; // most words are asked for several times
+    const CodeWords words{
+        [&](std::string_view word) {
+            const auto found = known.find(word);
+            if (found != known.end()) return found->second;
+            return known.emplace(std::string(word), code_word_holds(word, frame)).first->second;
+        },
+        is_mistake_word};
     for (std::size_t i = 0; i < code.files.size(); ++i) {
         const std::size_t before = lines.size();
         choose_lines(code.files[i].text, code.files[i].name, static_cast<int>(i), words, lines);

@@ -52,9 +52,9 @@ CourseLesson course_lesson(const TomlInput& input, const std::vector<std::string
     return lesson;
 }
 
-/// @param known ids of the lessons before it; receives its own
 constexpr std::size_t most_track_letters = 500; ///< of a text: what fits into the list
 
+/// @param known ids of the lessons before it; receives its own
 Track course_track(const TomlInput& input, std::vector<std::string>& known) {
     input.allow_only({"title", "about", "needs", "lessons"});
     Track track{input.text("title"), input.text("about"), input.text("needs"), {}};

@@ -98,6 +98,7 @@ TEST_CASE("The lab's code draws every scene as the stages do") {
         }
     }
     CHECK(names_of(checker.missing()) == std::vector<std::string>{"normal maps"});
+    CHECK(checker.drawn() == 246);
 }
 
 TEST_CASE("The lab's code draws with the settings of every lesson as the stages do") {
@@ -113,6 +114,7 @@ TEST_CASE("The lab's code draws with the settings of every lesson as the stages 
                           lesson.id + " step " + std::to_string(step));
         }
     }
+    CHECK(checker.drawn() == 274);
     // What is not written out yet.
     CHECK(names_of(checker.missing()) ==
           std::vector<std::string>{

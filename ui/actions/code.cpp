@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Lines that are carried out in a frame: a few milliseconds.
+/// Lines that are carried out in a frame, so that it does not take long.
 constexpr std::int64_t lines_of_frame = 150'000;
 /// Pictures with more pixels take too long to hand over.
 constexpr std::int64_t most_pixels = 4'000'000;
@@ -84,7 +84,6 @@ void seek_moment(Ui& ui) {
         drop_conditions(ui, fault.sentence, fault.line);
         return;
     }
-    look.failed_at = std::pair{a.frame_number, a.cursor};
     throw InputError(fault.sentence.empty() ? "The code does not come to this moment."
                                             : fault.sentence);
 }
@@ -156,6 +155,7 @@ void follow_code(Ui& ui) {
         seek_moment(ui);
     } catch (const Error& error) {
         look.fault = error.what();
+        look.failed_at = std::pair{a.frame_number, a.cursor};
     }
 }
 

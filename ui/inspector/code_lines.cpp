@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text_parts.h"
 #include "ui/actions/code.h"
 #include "ui/inspector/code_parts.h"
 #include "ui/ui.h"
@@ -134,7 +135,7 @@ void draw_usual(Ui& ui, const ChosenLine& line, int number, const LineLayout& at
 /// The whole line and its value, which may be cut off, and what a click does.
 std::string line_tooltip(std::string_view text, const std::string& value, bool is_next,
                          bool can_stop) {
-    std::string words(text.substr(std::min(text.find_first_not_of(' '), text.size())));
+    std::string words(trimmed(text));
     if (!value.empty()) words += "\n" + value;
     if (is_next) return words + "\nThis line comes next.";
     return can_stop ? words + "\nClick to run to the next time this line is reached." : words;

@@ -45,7 +45,7 @@ class PuzzleDrawing {
         int number = 0;
         for (int i = 0; i < puzzle_.given; ++i)
             draw_given(++number, puzzle_.lines[static_cast<std::size_t>(i)]);
-        for (const PlacedPiece& one : std::vector(view_.desk.used))
+        for (const PlacedPiece& one : view_.desk.used)
             draw_piece(++number, one.piece, one.depth);
         if (view_.desk.used.empty()) draw_empty();
         for (std::size_t i = puzzle_.lines.size() - static_cast<std::size_t>(puzzle_.given_after);
@@ -54,8 +54,9 @@ class PuzzleDrawing {
         }
         const float left_top = ImGui::GetCursorScreenPos().y;
         if (!is_done_ && !view_.desk.left.empty()) {
+            ImGui::Dummy({1.0f, 4.0f * ui_.options.text_scale});
             text_in(palette(ui_.options.theme).dim, "LINES NOT USED", ui_.fonts.small);
-            for (const int piece : std::vector(view_.desk.left))
+            for (const int piece : view_.desk.left)
                 draw_piece(0, piece, 1);
         }
         ImGui::PopStyleVar();

@@ -197,6 +197,9 @@ std::string draw_map(Ui& ui) {
         for (std::size_t to = 0; to < boxes.size(); ++to) {
             if ((lit.count(to) > 0) != is_lit) continue;
             for (const std::size_t from : boxes[to].needs) {
+                // A line behind the boxes of another track would be hard to follow: only those of
+                // the lesson that is pointed at are drawn.
+                if (!is_lit && boxes[to].track > boxes[from].track + 1) continue;
                 draw_need(boxes[from], boxes[to], packed(is_lit ? p.link : quiet),
                           (is_lit ? 2.5f : 1.5f) * u, u);
             }
@@ -217,7 +220,8 @@ void draw_map_sheet(Ui& ui, ImVec2 window) {
     if (!ui.sheets.is_open(Sheet::map)) return;
     begin_sheet(ui, map_look, window);
     ImGui::SameLine(0.0f, 24.0f * ui.options.text_scale);
-    text_in(palette(ui.options.theme).dim, "A line leads to a lesson from each one it builds on.",
+    text_in(palette(ui.options.theme).dim,
+            "Lines run from a lesson to those that build on it. Point at one to see all it needs.",
             ui.fonts.small);
     ImGui::BeginChild("lessons", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const std::string chosen = draw_map(ui);

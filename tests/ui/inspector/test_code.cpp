@@ -195,7 +195,7 @@ TEST_CASE("A condition that is set while time plays, or that fails, does no harm
     CHECK(driver.ui.code.is_ready);
 }
 
-TEST_CASE("Conditions that the next stage does not understand are removed") {
+TEST_CASE("A condition whose names are gone is removed, and one whose line is gone waits") {
     Driver driver;
     driver.hand.click("stage.vertex_light");
     go_to(driver.ui.session, Cursor{12, Phase::vertices, 0, 0});
@@ -213,6 +213,18 @@ TEST_CASE("Conditions that the next stage does not understand are removed") {
     driver.hand.frames(3);
     CHECK(driver.ui.code.is_ready);
     CHECK(driver.ui.code.conditions.size() == 1);
+    driver.hand.click("stage.vertex_light");
+    driver.hand.frames(3);
+    // A line of both stages, and a member that a pixel has only in one.
+    const int both = line_number(driver, "p.zinv = 0;");
+    driver.hand.click("code.number." + std::to_string(both));
+    driver.hand.enter("code.condition", "p.illumination.x > 100");
+    REQUIRE(driver.ui.code.conditions.size() == 2);
+    driver.hand.click("stage.depth");
+    driver.hand.frames(3);
+    CHECK(driver.ui.session.notice.find("illumination") != std::string::npos);
+    CHECK(driver.ui.code.conditions.empty());
+    CHECK(driver.ui.code.is_ready);
 }
 
 TEST_CASE("Time plays by lines") {
