@@ -3,7 +3,11 @@
 void DrawPolygonEdges(const vector<Pixel>& vertexPixels)
 {
     int V = vertexPixels.size();
+#if edge_samples_no_last_edge
+    for (int i = 0; i < V - 1; ++i)
+#else
     for (int i = 0; i < V; ++i)
+#endif
     {
         int j = (i + 1) % V; //@ edge i
         Pixel a = vertexPixels[i];
@@ -27,7 +31,11 @@ void DrawPolygonEdges(const vector<Pixel>& vertexPixels)
 #else
         Interpolate(a, b, line);
 #endif
+#if edge_samples_without_last
+        for (int k = 0; k < n - 1; ++k)
+#else
         for (int k = 0; k < n; ++k)
+#endif
             PutPixel(line[k].x, line[k].y, vec3(1, 1, 1)); //@ sample k
     }
 }

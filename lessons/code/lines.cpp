@@ -1,31 +1,4 @@
-#if !stage_points && (line_bresenham || line_midpoint || line_dda)
-// What a line carries besides its place: mixed of both ends.
-void MixEnds(const Pixel& a, const Pixel& b, vector<Pixel>& result)
-{
-    int N = result.size();
-    float steps = max(N - 1, 1);
-    result[0] = a;
-    for (int i = 1; i < N; ++i)
-    {
-        float t = i / steps;
-        float s = 1 - t;
-        result[i].zinv = a.zinv * s + b.zinv * t;
-#if scene_textures
-        result[i].texcoord = a.texcoord * s + b.texcoord * t;
-#endif
-#if stage_vertex_light
-        result[i].illumination = a.illumination * s + b.illumination * t;
-#endif
-#if stage_pixel_light
-        result[i].pos3d = a.pos3d * s + b.pos3d * t;
-#endif
-#if stage_pixel_light && scene_corners
-        result[i].normal = a.normal * s + b.normal * t;
-        result[i].color = a.color * s + b.color * t;
-#endif
-    }
-}
-
+#if !stage_points && !coverage_edge_functions && (line_bresenham || line_midpoint || line_dda)
 int Sign(int value)
 {
     if (value > 0)
@@ -36,8 +9,8 @@ int Sign(int value)
 }
 
 #if line_bresenham
-// From one pixel to another, with whole numbers alone: d says on which side of the line the next
-// pixel would lie.
+// From one pixel to another, in whole numbers: the sign of d says which of the two next pixels is
+// nearer to the line.
 void Bresenham(const Pixel& a, const Pixel& b, vector<Pixel>& result)
 #elif line_midpoint
 // From one pixel to another: d says on which side of the line the point between the two next pixels

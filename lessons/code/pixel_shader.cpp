@@ -1,8 +1,26 @@
+#if scene_textures && !stage_points && !stage_edges && !stage_rows
+// A color, painted with the texture of the triangle if it has one.
+vec3 Painted(vec3 color, const Pixel& p)
+{
+    if (currentTexture < 0)
+        return color;
+    vec2 place = CarriedPlace(p);
+#if scene_height_maps
+    place += currentShift;
+#endif
+#if mip_levels
+    return color * LevelColor(currentTexture, place, p);
+#else
+    return color * TextureColor(textures[currentTexture], place.x, place.y);
+#endif
+}
+
+#endif
 #if stage_vertex_light
-// The colour of a pixel: the light of its vertices.
+// The color of a pixel: the light of its vertices.
 void PixelShader(const Pixel& p)
 {
-#if interpolation_affine
+#if interpolation_affine || interpolation_undivided
 #if scene_textures
     PutPixel(p.x, p.y, Painted(p.illumination, p));
 #else
@@ -14,6 +32,12 @@ void PixelShader(const Pixel& p)
 #else
     PutPixel(p.x, p.y, p.illumination / Weight(p.zinv));
 #endif
+#elif interpolation_divided_twice
+#if scene_textures
+    PutPixel(p.x, p.y, Painted(p.illumination / (p.zinv * p.zinv), p));
+#else
+    PutPixel(p.x, p.y, p.illumination / (p.zinv * p.zinv));
+#endif
 #else
 #if scene_textures
     PutPixel(p.x, p.y, Painted(p.illumination / p.zinv, p));
@@ -23,40 +47,89 @@ void PixelShader(const Pixel& p)
 #endif
 }
 #elif stage_pixel_light
-// The colour of a pixel: the light at its place in the world.
+// The color of a pixel: the light at its place in the world.
 void PixelShader(const Pixel& p)
 {
-#if interpolation_affine
+#if interpolation_affine || interpolation_undivided
     vec3 position = p.pos3d;
 #elif interpolation_mixed
     vec3 position = p.pos3d / Weight(p.zinv);
+#elif interpolation_divided_twice
+    vec3 position = p.pos3d / (p.zinv * p.zinv);
 #else
     vec3 position = p.pos3d / p.zinv;
 #endif
 #if scene_corners
     vec3 normal = currentNormal;
     vec3 color = currentReflectance;
-#if interpolation_affine
+#if interpolation_affine || interpolation_undivided
     if (currentSmooth)
+#if light_renormalize_off
+        normal = p.normal;
+#else
         normal = Normalized(p.normal);
+#endif
     if (currentBlended)
         color = p.color;
 #elif interpolation_mixed
     if (currentSmooth)
+#if light_renormalize_off
+        normal = p.normal / Weight(p.zinv);
+#else
         normal = Normalized(p.normal / Weight(p.zinv));
+#endif
     if (currentBlended)
         color = p.color / Weight(p.zinv);
+#elif interpolation_divided_twice
+    if (currentSmooth)
+#if light_renormalize_off
+        normal = p.normal / (p.zinv * p.zinv);
+#else
+        normal = Normalized(p.normal / (p.zinv * p.zinv));
+#endif
+    if (currentBlended)
+        color = p.color / (p.zinv * p.zinv);
 #else
     if (currentSmooth)
+#if light_renormalize_off
+        normal = p.normal / p.zinv;
+#else
         normal = Normalized(p.normal / p.zinv);
+#endif
     if (currentBlended)
         color = p.color / p.zinv;
+#endif
+#if normal_w_one && scene_surface_axes
+    normal = Normalized(normal - cameraPos); // moved like a point, as if its w were 1
+#endif
+#if scene_height_maps
+    currentShift = Parallax(position, normal, p);
+#endif
+#if scene_normal_maps && light_sides_two
+    normal = BentNormalInView(position, normal, p);
+#elif scene_normal_maps
+    normal = BentNormal(normal, p);
 #endif
 #if scene_textures
     PutPixel(p.x, p.y, ReflectedLight(position, normal, Painted(color, p)));
 #else
     PutPixel(p.x, p.y, ReflectedLight(position, normal, color));
 #endif
+#elif scene_surface_axes
+    vec3 normal = currentNormal;
+#if normal_w_one && scene_surface_axes
+    normal = Normalized(normal - cameraPos); // moved like a point, as if its w were 1
+#endif
+#if scene_height_maps
+    currentShift = Parallax(position, normal, p);
+#endif
+#if scene_normal_maps && light_sides_two
+    normal = BentNormalInView(position, normal, p);
+#elif scene_normal_maps
+    normal = BentNormal(normal, p);
+#endif
+    vec3 color = Painted(currentReflectance, p);
+    PutPixel(p.x, p.y, ReflectedLight(position, normal, color));
 #else
 #if scene_textures
     vec3 color = Painted(currentReflectance, p);
@@ -67,7 +140,7 @@ void PixelShader(const Pixel& p)
 #endif
 }
 #elif stage_flat
-// The colour of a pixel: the light in the middle of its triangle.
+// The color of a pixel: the light in the middle of its triangle.
 void PixelShader(const Pixel& p)
 {
 #if scene_textures
@@ -77,10 +150,27 @@ void PixelShader(const Pixel& p)
 #endif
 }
 #elif stage_fill || stage_depth || stage_unlit
-// The colour of a pixel: that of its triangle.
+// The color of a pixel: that of its triangle.
 void PixelShader(const Pixel& p)
 {
+#if carried_color
+    vec3 color = currentReflectance;
+    if (currentBlended)
+#if interpolation_affine || interpolation_undivided
+        color = p.color;
+#elif interpolation_mixed
+        color = p.color / Weight(p.zinv);
+#elif interpolation_divided_twice
+        color = p.color / (p.zinv * p.zinv);
+#else
+        color = p.color / p.zinv;
+#endif
 #if scene_textures
+    PutPixel(p.x, p.y, Painted(color, p));
+#else
+    PutPixel(p.x, p.y, color);
+#endif
+#elif scene_textures
     PutPixel(p.x, p.y, Painted(currentReflectance, p));
 #else
     PutPixel(p.x, p.y, currentReflectance);

@@ -22,7 +22,9 @@ namespace {
 struct CodeSpot {
     std::string function, file;
     int line = 0; ///< of the file, with only the lines that the settings choose
-    std::string text, usual;
+    std::string text;
+    bool is_mistake = false;
+    std::vector<std::string> right; ///< lines in its place, or missing after it
     std::vector<CodeShown> variables;
 };
 
@@ -30,11 +32,15 @@ CodeSpot spot_of(const LabCode& code, const CodeWalk& walk, const CodeCall& call
     const CodeMachine& machine = walk.machine();
     const FileLines file = file_around(walk.lines(), call.line);
     const ChosenLine& line = walk.lines()[static_cast<std::size_t>(call.line - 1)];
+    std::vector<std::string> right;
+    for (const std::string& usual : line.usual)
+        right.emplace_back(trimmed(shown_words(usual)));
     return {machine.program().functions[static_cast<std::size_t>(call.function)].name,
             code.files[static_cast<std::size_t>(file.file)].name,
             call.line - file.first + 1,
             std::string(shown_words(line.text)),
-            std::string(shown_words(line.usual)),
+            line.is_mistake,
+            std::move(right),
             machine.variables(call)};
 }
 
@@ -46,7 +52,10 @@ Json to_json(const CodeSpot& spot) {
                 {"function", spot.function},
                 {"line", spot.line},
                 {"text", trimmed(spot.text)}};
-    if (!spot.usual.empty()) object["usual"] = trimmed(spot.usual);
+    if (spot.is_mistake)
+        object["right"] = spot.right;
+    else if (!spot.right.empty())
+        object["missing"] = spot.right;
     object["values"] = std::move(values);
     return object;
 }
@@ -55,7 +64,10 @@ void print_spots(const std::vector<CodeSpot>& spots, std::ostream& out) {
     for (const CodeSpot& spot : spots) {
         out << fmt::format("{} at {}:{}\n    {}\n", spot.function, spot.file, spot.line,
                            trimmed(spot.text));
-        if (!spot.usual.empty()) out << fmt::format("    right: {}\n", trimmed(spot.usual));
+        for (const std::string& right : spot.right)
+            out << fmt::format("    {}: {}\n", spot.is_mistake ? "right" : "missing after it",
+                               right);
+        if (spot.is_mistake && spot.right.empty()) out << "    right: no such line\n";
     }
     if (spots.empty()) return;
     out << "\n";

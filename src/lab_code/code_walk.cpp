@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "lab_code/code_frame.h"
+#include "lab_code/missing_code.h"
 
 namespace rasterwalk {
 
@@ -84,7 +85,8 @@ CodeWalk::compiled(const LabCode& code, const std::vector<ChosenLine>& lines, Vi
     const bool has_draw =
         draw >= 0 && program->functions[static_cast<std::size_t>(draw)].parameters.empty();
     const bool are_whole =
-        has_mark("sample") == has_mark("edge") && has_mark("test") == has_mark("boxrow") &&
+        has_mark("resolve") == has_mark("pictureline") && has_mark("sample") == has_mark("edge") &&
+        has_mark("cut") == has_mark("plane") && has_mark("test") == has_mark("boxrow") &&
         has_mark("test") == has_mark("pixelcolumn") && has_mark("test") == has_mark("pixelrow") &&
         (has_mark("row") || !has_mark("fragment"));
     if (!has_draw || !are_whole || !has_mark("triangle") || !has_mark("vertex"))
@@ -119,6 +121,7 @@ void CodeWalk::take(const LabCode& code, const Frame& frame, std::uint64_t numbe
     picture_ = picture;
     frame_ = &frame;
     number_ = number;
+    triangle_of_rows_ = -1;
     is_there_ = false;
     if (machine_ != nullptr) give_frame(*machine_, frame);
 }
@@ -133,18 +136,25 @@ void CodeWalk::make_machine() {
     }
     triangle_ = mark_named("triangle");
     vertex_ = mark_named("vertex");
+    plane_ = mark_named("plane");
+    cut_ = mark_named("cut");
     cull_ = mark_named("cull");
     edge_ = mark_named("edge");
     sample_ = mark_named("sample");
+    fan_ = mark_named("fan");
     box_row_ = mark_named("boxrow");
     test_ = mark_named("test");
     pixel_column_ = mark_named("pixelcolumn");
     pixel_row_ = mark_named("pixelrow");
     row_ = mark_named("row");
     fragment_ = mark_named("fragment");
+    square_ = mark_named("square");
+    picture_row_ = mark_named("pictureline");
+    resolve_ = mark_named("resolve");
     machine_->pause_when([this](std::size_t mark, std::span<const int> marks) {
         const std::optional<Cursor> moment = moment_of(mark, marks);
-        if (!moment) return false;
+        // A moment begins with the first line of those that have its mark.
+        if (!moment || begun_ == moment) return false;
         begun_ = moment;
         earlier_at_ = begun_at_;
         begun_at_ = machine_->lines();
@@ -153,24 +163,59 @@ void CodeWalk::make_machine() {
 }
 
 /// The moment that begins with the line that gives a mark its value; none if it begins none.
-std::optional<Cursor> CodeWalk::moment_of(std::size_t mark, std::span<const int> marks) const {
+std::optional<Cursor> CodeWalk::moment_of(std::size_t mark, std::span<const int> marks) {
+    if (mark == square_) return moment_of_square(marks[square_]);
+    if (frame_->squares != nullptr) return std::nullopt;
+    if (mark == resolve_) return moment_of_resolve(marks[picture_row_], marks[resolve_]);
     const int triangle = marks[triangle_];
     if (triangle < 0 || triangle >= frame_->triangle_count()) return std::nullopt;
     if (mark == vertex_ && frame_->has_moments(triangle))
         return Cursor{triangle, Phase::vertices, marks[vertex_], 0};
+    const bool is_clipped = frame_->has_moments(triangle) && frame_->has_clip_events(triangle);
+    if (mark == cut_ && is_clipped)
+        return Cursor{triangle, Phase::clip, marks[plane_], marks[cut_]};
     if (mark == cull_ && frame_->is_cull_tested(triangle))
         return Cursor{triangle, Phase::cull, 0, 0};
     if (mark == sample_) return Cursor{triangle, Phase::edges, marks[edge_], marks[sample_]};
     // A pixel outside the picture is tested without a moment.
-    const auto is_outside = [](int place, int size) { return place < 0 || place >= size; };
-    if (mark == test_ && (is_outside(marks[pixel_column_], picture_.width) ||
-                          is_outside(marks[pixel_row_], picture_.height)))
+    if (mark == test_ && !contains(drawn_area(*frame_), marks[pixel_column_], marks[pixel_row_]))
         return std::nullopt;
-    if (mark == test_) return Cursor{triangle, Phase::tests, marks[box_row_], marks[test_]};
-    if (mark == fragment_) return Cursor{triangle, Phase::rows, marks[row_], marks[fragment_]};
+    if (mark == test_) {
+        const int before = fan_ < marks.size() ? box_rows_before(triangle, marks[fan_]) : 0;
+        return Cursor{triangle, Phase::tests, before + marks[box_row_], marks[test_]};
+    }
+    if (mark == fragment_) {
+        const int row = marks[row_];
+        const int step = marks[fragment_] + pixels_left_of_picture(triangle, row);
+        return Cursor{triangle, Phase::rows, row, step};
+    }
     if (mark == row_ && !has_fragments(frame_->settings.stage))
         return Cursor{triangle, Phase::rows, marks[row_], 0};
     return std::nullopt;
+}
+
+/// The row table of a triangle.
+const PolygonRows& CodeWalk::rows_of(int triangle) {
+    if (triangle != triangle_of_rows_) compute_rows(*frame_, triangle, rows_);
+    triangle_of_rows_ = triangle;
+    return rows_;
+}
+
+/// How many rows the boxes of the first triangles of a fan have together.
+int CodeWalk::box_rows_before(int triangle, int of_fan) {
+    int rows = 0;
+    for (const TestedTriangle& tested : rows_of(triangle).tested.triangles) {
+        if (of_fan-- > 0) rows += tested.box.bottom - tested.box.top;
+    }
+    return rows;
+}
+
+/// How many pixels of a row lie to the left of the picture, and are not tested by the program. In
+/// time, fragments are counted from the row's left end.
+int CodeWalk::pixels_left_of_picture(int triangle, int row) {
+    if (test_ >= program_->marks.size()) return 0;
+    const PolygonRows& rows = rows_of(triangle);
+    return row < 0 || row >= rows.size() ? 0 : std::max(-rows.left[row].column, 0);
 }
 
 /// Begins to draw at the triangle of the moment, and leaves out its rows before that of the moment:
@@ -181,9 +226,23 @@ void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
     machine_->allow(machine_->lines() + most_lines_of_moment);
     machine_->pause_before(0);
     machine_->pause_outside(0);
-    machine_->skip_to(triangle_, cursor.triangle);
+    // The picture is divided when the rows of all triangles are known.
+    const bool is_square = cursor.square >= 0;
+    machine_->skip_to(triangle_, is_square ? nothing_skipped : cursor.triangle);
     const bool is_in_rows = cursor.phase == Phase::rows && row_ < program_->marks.size();
     if (is_in_rows) machine_->skip_to(row_, cursor.index);
+    // Nor are pixels tested for those rows.
+    const bool has_tests = test_ < program_->marks.size();
+    const bool is_drawn =
+        cursor.triangle < frame_->triangle_count() && frame_->is_drawn(cursor.triangle);
+    if (is_in_rows && has_tests && is_drawn) {
+        machine_->skip_to(box_row_, cursor.index);
+        machine_->skip_to(pixel_row_, rows_of(cursor.triangle).first_row + cursor.index);
+    }
+    const bool resolves = picture_row_ < program_->marks.size();
+    const bool is_after_all = cursor == beginning_of(frame_->triangle_count());
+    if (resolves && is_resolve(cursor)) machine_->skip_to(picture_row_, cursor.index);
+    if (resolves && is_after_all) machine_->skip_to(picture_row_, picture_.height);
     begun_ = std::nullopt;
     begun_at_ = machine_->lines();
     is_over_ = false;
@@ -191,6 +250,9 @@ void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
     // Earlier fragments of the row were drawn once more.
     give_planes(*machine_, planes);
     if (row_ < program_->marks.size()) machine_->skip_to(row_, nothing_skipped);
+    if (has_tests) machine_->skip_to(box_row_, nothing_skipped);
+    if (has_tests) machine_->skip_to(pixel_row_, nothing_skipped);
+    if (resolves) machine_->skip_to(picture_row_, nothing_skipped);
     is_over_ = arrival == CodeArrival::ended;
     // Only at the end of the frame may the program have ended.
     const bool is_end = cursor.triangle >= frame_->triangle_count();

@@ -13,6 +13,7 @@
 #include "pipeline/cursor.h"
 #include "pipeline/framebuffer.h"
 #include "pipeline/timeline.h"
+#include "stages/polygon_rows.h"
 
 namespace rasterwalk {
 
@@ -97,7 +98,10 @@ class CodeWalk {
     compiled(const LabCode& code, const std::vector<ChosenLine>& lines, Viewport picture,
              const std::vector<LineCondition>& conditions);
     void make_machine();
-    std::optional<Cursor> moment_of(std::size_t mark, std::span<const int> marks) const;
+    std::optional<Cursor> moment_of(std::size_t mark, std::span<const int> marks);
+    const PolygonRows& rows_of(int triangle);
+    int box_rows_before(int triangle, int of_fan);
+    int pixels_left_of_picture(int triangle, int row);
     std::size_t mark_named(std::string_view name) const;
     void begin_at(const Cursor& cursor, const Framebuffer& planes);
     int lines_of_moment();
@@ -113,8 +117,11 @@ class CodeWalk {
     const Frame* frame_ = nullptr;
     std::uint64_t number_ = 0;
     Viewport picture_;
-    std::size_t triangle_ = 0, vertex_ = 0, cull_ = 0, edge_ = 0, sample_ = 0, box_row_ = 0,
-                test_ = 0, pixel_column_ = 0, pixel_row_ = 0, row_ = 0, fragment_ = 0;
+    PolygonRows rows_;          ///< of the last triangle that was asked for
+    int triangle_of_rows_ = -1; ///< that it is; -1: none
+    std::size_t triangle_ = 0, vertex_ = 0, plane_ = 0, cut_ = 0, cull_ = 0, edge_ = 0, sample_ = 0,
+                fan_ = 0, box_row_ = 0, test_ = 0, pixel_column_ = 0, pixel_row_ = 0, row_ = 0,
+                fragment_ = 0, square_ = 0, picture_row_ = 0, resolve_ = 0;
     std::optional<Cursor> wanted_; ///< moment before whose first line the machine pauses
     std::optional<Cursor> begun_;  ///< the last moment that has begun
     std::int64_t begun_at_ = 0;    ///< lines before it

@@ -3,13 +3,10 @@
 // The lab's program, in C++, as it draws a frame: the functions that a good student would write for
 // these settings. tests/lab_code holds it to the same bits as the stages.
 
-#include <memory>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "code/code_program.h"
 #include "lab_code/chosen_lines.h"
 #include "pipeline/frame.h"
 
@@ -34,20 +31,8 @@ const std::vector<std::string>& lab_file_names();
 /// @param folder `code` in the lessons folder
 LabCode read_lab_code(const std::string& folder);
 
-/// Do the corners of some triangle have different normals or colours, and does the frame show it?
-bool has_own_corners(const Frame& frame);
-
-/// Does a word of a condition hold for a frame? A setting and its value, "interpolation_affine";
-/// how far the picture is drawn, "stage_vertex_light"; "space_pixels"; or the name of a stage
-/// function that is in use, "no_depth_test".
-bool code_word_holds(std::string_view word, const Frame& frame);
-
 /// The lines of the code that draw a frame.
 std::vector<ChosenLine> lines_for(const LabCode& code, const Frame& frame);
-
-/// What the code has no lines for: "Clipping: at the near plane"; empty if the code draws the
-/// frame.
-std::string missing_code(const LabCode& code, const Frame& frame);
 
 /// A file in the program: its first and last line, of the program, from 1.
 struct FileLines {
@@ -58,9 +43,6 @@ struct FileLines {
 /// The file that a line of the program is of.
 /// @param line from 1; one that is not there stands for the nearest
 FileLines file_around(const std::vector<ChosenLine>& lines, int line);
-
-/// The words of a line as a student reads it: without the marks, which are for the walk.
-std::string_view shown_words(std::string_view line);
 
 /// The text of the lines, as it is compiled: the picture's size is that of the frame.
 std::string source_text(const std::vector<ChosenLine>& lines, Viewport picture);

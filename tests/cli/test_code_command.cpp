@@ -41,10 +41,27 @@ TEST_CASE("code has the right line next to that of a mistake") {
                           "    right: if (p.zinv > depthBuffer[p.y][p.x])\n") != std::string::npos);
 }
 
+TEST_CASE("code --json has the right lines of a mistake, and none where it has added one") {
+    const CliRun reversed = run({"code", "--stage", "depth", "--set", "depth_test=reversed", "--to",
+                                 "t12/r7/c3", "--json"});
+    REQUIRE(reversed.exit_code == 0);
+    const Json line = Json::parse(reversed.out).at("calls").at(0);
+    CHECK(line.at("right") == Json::array({"if (p.zinv > depthBuffer[p.y][p.x])"}));
+    const CliRun right = run({"code", "--stage", "depth", "--to", "t12/r7/c3", "--json"});
+    CHECK_FALSE(Json::parse(right.out).at("calls").at(0).contains("right"));
+    // A line that the right program does not have.
+    const CliRun clamped = run(
+        {"code", "--set", "outside_picture=clamped", "--to", "t0/v0", "--lines", "10", "--json"});
+    REQUIRE(clamped.exit_code == 0);
+    const Json added = Json::parse(clamped.out).at("calls").at(0);
+    CHECK(added.at("text").get<std::string>().find("clamp(p.") != std::string::npos);
+    CHECK(added.at("right") == Json::array());
+}
+
 TEST_CASE("code says what it has no lines for") {
-    const CliRun result = run({"code", "--set", "coverage=active_edges"});
+    const CliRun result = run({"code", "--set", "stage=depth", "--set", "depth_test=raced"});
     CHECK(result.exit_code == 2);
-    CHECK(result.err.find(
-              "there is no code yet for this picture: \"Fill algorithm: active edges\".") !=
-          std::string::npos);
+    CHECK(
+        result.err.find("there is no code yet for this picture: \"Depth test: by two threads\".") !=
+        std::string::npos);
 }

@@ -12,12 +12,17 @@ namespace rasterwalk::test {
 
 namespace {
 
+using Lines = std::vector<std::string>;
+
+/// "odd" is a mistake.
 std::vector<ChosenLine> chosen(const std::string& text, const std::set<std::string>& words) {
-    std::vector<ChosenLine> lines;
-    choose_lines(text, "made.cpp", 3,
-                 {[&](std::string_view word) { return words.count(std::string(word)) > 0; },
-                  [](std::string_view word) { return word == "odd"; }},
-                 lines);
+    std::vector<ChosenLine> lines, right;
+    const auto holds = [&](std::string_view word) { return words.count(std::string(word)) > 0; };
+    choose_lines(text, "made.cpp", 3, holds, lines);
+    choose_lines(
+        text, "made.cpp", 3, [&](std::string_view word) { return word != "odd" && holds(word); },
+        right);
+    mark_mistakes(lines, right);
     return lines;
 }
 
@@ -75,14 +80,58 @@ TEST_CASE("A line knows its file and its number, and the usual one in its place"
     CHECK(lines[1].file == 3);
     CHECK(lines[1].line == 3);
     CHECK(lines[1].text == "b");
-    CHECK(lines[1].usual == "c");
-    CHECK(lines[0].usual == "");
-    CHECK(chosen("a\n#if odd\nb\n#else\nc\n#endif\n", {})[1].usual == "");
+    CHECK(lines[1].usual == Lines{"c"});
+    CHECK(lines[0].usual.empty());
+    CHECK(chosen("a\n#if odd\nb\n#else\nc\n#endif\n", {})[1].usual.empty());
     // What is just another way is no mistake.
-    CHECK(chosen("#if even\nb\n#else\nc\n#endif\n", {"even"})[0].usual == "");
-    CHECK(chosen("#if !odd\nb\n#else\nc\n#endif\n", {})[0].usual == "");
-    // Parts of different lengths cannot be laid next to each other.
-    CHECK(chosen("#if odd\nb\nd\n#else\nc\n#endif\n", {"odd"})[0].usual == "");
+    CHECK(chosen("#if even\nb\n#else\nc\n#endif\n", {"even"})[0].usual.empty());
+    CHECK(chosen("#if !odd\nb\n#else\nc\n#endif\n", {})[0].usual.empty());
+    // Parts of different lengths: the last line of the mistake knows all right ones.
+    const auto longer = chosen("#if odd\nb\nd\n#else\nc\n#endif\n", {"odd"});
+    CHECK(longer[0].is_mistake);
+    CHECK(longer[0].usual.empty());
+    CHECK(longer[1].usual == Lines{"c"});
+    const auto shorter = chosen("#if odd\nb\n#else\nb\nc\nd\n#endif\n", {"odd"});
+    CHECK(shorter[0].usual == Lines{"c", "d"});
+    CHECK(joined(chosen("#if odd\nb\nd\n#else\nd\n#endif\n", {"odd"})) == "b\nd\n");
+    CHECK_FALSE(chosen("#if odd\nb\nd\n#else\nd\n#endif\n", {"odd"})[1].is_mistake);
+}
+
+TEST_CASE("A line that only a mistake has is known as one") {
+    CHECK(chosen("#if odd\na\n#endif\n", {"odd"})[0].is_mistake);
+    CHECK(chosen("#if odd && even\na\n#endif\n", {"odd", "even"})[0].is_mistake);
+    CHECK_FALSE(chosen("#if even\na\n#endif\n", {"even"})[0].is_mistake);
+    // It could be there without it.
+    CHECK_FALSE(chosen("#if odd || even\na\n#endif\n", {"odd", "even"})[0].is_mistake);
+    CHECK_FALSE(chosen("#if !odd\na\n#endif\n", {})[0].is_mistake);
+    // What a mistake leaves out is missing behind a line.
+    const auto shorter = chosen("a\n#if !odd\nb\n#endif\nc\n", {"odd"});
+    CHECK_FALSE(shorter[0].is_mistake);
+    CHECK(shorter[0].usual == Lines{"b"});
+    CHECK(shorter[1].usual.empty());
+    // Helpers are not what is wrong.
+    CHECK_FALSE(chosen("#if odd\na\nb\nc\n#endif\n", {"odd"})[0].is_mistake);
+}
+
+TEST_CASE("The right line may depend on other words") {
+    const std::string text = "#if odd\na\n#elif even\nb\n#else\n#if two\nc\n#elif three\nd\n#else\n"
+                             "e\n#endif\n#endif\n";
+    CHECK(chosen(text, {"odd"})[0].usual == Lines{"e"});
+    CHECK(chosen(text, {"odd", "two"})[0].usual == Lines{"c"});
+    CHECK(chosen(text, {"odd", "three"})[0].usual == Lines{"d"});
+    CHECK(chosen(text, {"odd", "two", "three"})[0].usual == Lines{"c"});
+    CHECK(joined(chosen(text, {"odd", "two"})) == "a\n");
+    CHECK(joined(chosen(text, {"two"})) == "c\n");
+    CHECK(chosen(text, {"two"})[0].usual.empty());
+    CHECK(chosen(text, {"even", "two"})[0].usual.empty());
+    // Two words, one within the right lines of the other.
+    const std::string both = "#if odd\na\n#else\n#if two\nb\n#else\nc\n#endif\n#endif\n";
+    CHECK(chosen(both, {"odd"})[0].usual == Lines{"c"});
+    CHECK(chosen(both, {"odd", "two"})[0].usual == Lines{"b"});
+    // What is chosen only within lines that are not is no right line.
+    CHECK(chosen("#if odd\na\n#else\n#if two\n#if three\nb\n#endif\n#endif\nc\n#endif\n",
+                 {"odd", "three"})[0]
+              .usual == Lines{"c"});
 }
 
 TEST_CASE("What is not a condition is refused with its line") {

@@ -10,7 +10,10 @@
 #include "lab_code/code_walk.h"
 #include "pipeline/draw.h"
 #include "pipeline/replay.h"
+#include "pipeline/shadow_pass.h"
+#include "scene/read_scene.h"
 #include "session/content.h"
+#include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/random.h"
 #include "support/samples.h"
@@ -113,7 +116,111 @@ TEST_CASE("Pixels that are tested and triangles that are culled are moments of t
     const Scene scene = lab_room();
     for (const StageInfo& info : stage_list()) {
         CAPTURE(std::string(info.name));
-        require_same_moments(walked_frame(scene, info, true));
+        const Frame whole = walked_frame(scene, info, true);
+        require_same_moments(whole);
+        Settings settings = whole.settings;
+        set_from_text(settings, "box_walk=interval");
+        require_same_moments(prepare_frame(scene, settings));
+        set_from_text(settings, "cull=fragment_normal");
+        require_same_moments(prepare_frame(scene, settings));
+    }
+}
+
+TEST_CASE("The edges that a plane cuts are moments of the code too") {
+    const Scene floor = read_scene(lessons_folder() + "/scenes/one-corner-behind.toml");
+    for (const char* clip : {"near", "all", "guard_band", "whole_only", "wrong_t", "after_division",
+                             "clamped", "uncut_varyings"}) {
+        for (const float z : {0.0f, 1.5f, 2.5f}) {
+            for (const StageInfo& info : stage_list()) {
+                CAPTURE(clip, z, std::string(info.name));
+                Settings settings = walked_frame(floor, info).settings;
+                set_from_text(settings, std::string("clip=") + clip);
+                settings.camera.position.z = z;
+                const Frame frame = prepare_frame(floor, settings);
+                if (!frame.has_moments(0)) continue;
+                require_same_moments(frame);
+            }
+        }
+    }
+    Settings cheap = walked_frame(floor, *find_stage("depth")).settings;
+    set_from_text(cheap, "reject=cheap");
+    require_same_moments(prepare_frame(floor, cheap));
+    // A triangle with two corners behind the camera, and one that is cut away and culled.
+    const Scene room = lab_room();
+    Settings settings = walked_frame(room, *find_stage("pixel_light")).settings;
+    set_from_text(settings, "clip=all");
+    set_from_text(settings, "reject=outcodes");
+    settings.camera.position = {0.0f, 0.0f, -0.9f};
+    for (const char* cull : {"none", "face_normal", "screen_area"}) {
+        CAPTURE(cull);
+        set_from_text(settings, std::string("cull=") + cull);
+        require_same_moments(prepare_frame(room, settings));
+    }
+}
+
+TEST_CASE("The rows of polygons that are cut are found at the same moments") {
+    const Scene room = lab_room();
+    Settings settings = walked_frame(room, *find_stage("depth"), true).settings;
+    settings.camera.position = {0.1f, 0.2f, -0.9f};
+    for (const char* clip : {"none", "near", "all", "guard_band", "after_division"}) {
+        for (const char* walk : {"all", "interval"}) {
+            CAPTURE(clip, walk);
+            set_from_text(settings, std::string("clip=") + clip);
+            set_from_text(settings, std::string("box_walk=") + walk);
+            require_same_moments(prepare_frame(room, settings));
+        }
+    }
+    // Without tests of pixels: row by row.
+    set_from_text(settings, "fill_rule=top_left");
+    for (const char* coverage : {"scan_conversion", "active_edges"}) {
+        CAPTURE(coverage);
+        set_from_text(settings, std::string("coverage=") + coverage);
+        set_from_text(settings, "clip=all");
+        require_same_moments(prepare_frame(room, settings));
+    }
+    // The faces of a shadow map are drawn so.
+    settings = walked_frame(room, *find_stage("pixel_light")).settings;
+    set_from_text(settings, "shadows=map");
+    settings.shadow_resolution = 64;
+    for (int face = 0; face < shadow_face_count; ++face) {
+        CAPTURE(face);
+        require_same_moments(prepare_pass(room, settings, pass_of_face(face)));
+    }
+}
+
+TEST_CASE("Pixels with samples are drawn and resolved at the same moments") {
+    for (const char* samples : {"samples=4", "supersample=2"}) {
+        CAPTURE(samples);
+        const Scene scene = lab_room();
+        Settings settings = walked_frame(scene, *find_stage("depth")).settings;
+        set_from_text(settings, "coverage=edge_functions");
+        set_from_text(settings, samples);
+        const Frame frame = prepare_frame(scene, settings);
+        require_same_moments(frame);
+        const std::vector<Cursor> moments = moments_of_time(frame);
+        Replay replay;
+        replay.begin(frame);
+        CodeWalk walk;
+        walk.take(walked_code(), frame, 1);
+        for (std::size_t i = 0; i < moments.size(); i += 1 + moments.size() / 50) {
+            CAPTURE(to_text(moments[i]));
+            CHECK(walk.seek({moments[i], 0}, replay.at(moments[i])) == CodePlace{moments[i], 0});
+            CHECK(walk.is_there());
+        }
+        walk.seek({cursor_end, 0}, replay.at(cursor_end));
+        CHECK(walk.is_there());
+    }
+}
+
+TEST_CASE("The squares of Warnock's algorithm are moments of the code too") {
+    for (const char* name : {"three-needles", "lab-room"}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(lessons_folder() + "/scenes/" + name + ".toml");
+        Settings settings = walked_frame(scene, *find_stage("depth")).settings;
+        set_from_text(settings, "hidden=warnock");
+        const Frame frame = prepare_frame(scene, settings);
+        REQUIRE(frame.squares != nullptr);
+        require_same_moments(frame);
     }
 }
 

@@ -14,8 +14,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "pipeline/draw.h"
+#include "pipeline/shadow_pass.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"
 
@@ -27,6 +29,8 @@
 // clang-format off
 #define depth_clear_0 1
 #define fill_rule_inclusive 1
+#define camera_known 1
+#define line_interpolate 1
 
 #define stage_rows 1
 namespace rasterwalk::test::compiled_rows {
@@ -35,26 +39,68 @@ namespace rasterwalk::test::compiled_rows {
 #undef stage_rows
 
 #define stage_vertex_light 1
+#define vertex_normals 1
 namespace rasterwalk::test::compiled_vertex_light {
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_vertex_light
+#undef vertex_normals
 #undef stage_vertex_light
 
 #define stage_pixel_light 1
+#define carried_pos3d 1
 #define coverage_edge_functions 1
+#define fragments_by_weights 1
 namespace rasterwalk::test::compiled_edge_functions {
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_edge_functions
+#undef fragments_by_weights
 #undef coverage_edge_functions
 
+#undef line_interpolate
 #define line_bresenham 1
 #define interpolation_affine 1
 namespace rasterwalk::test::compiled_bresenham {
 #include "lab_files.inc"
 } // namespace rasterwalk::test::compiled_bresenham
 #undef line_bresenham
+#define line_interpolate 1
 #undef interpolation_affine
+
+#define clip_space 1
+#define cuts_polygons 1
+#define clip_all 1
+#define has_positive_w 1
+#define transform_matrices 1
+namespace rasterwalk::test::compiled_clipping {
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_clipping
+#undef transform_matrices
+#undef has_positive_w
+#undef clip_all
+#undef cuts_polygons
+#undef clip_space
+
+#define scene_shadows 1
+#define shadows_rays 1
+namespace rasterwalk::test::compiled_shadow_rays {
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_shadow_rays
+#undef shadows_rays
+
+#define shadows_map 1
+#define shadow_slope_bias_0 1
+#define shadow_filter_four 1
+namespace rasterwalk::test::compiled_shadow_map {
+#include "lab_files.inc"
+} // namespace rasterwalk::test::compiled_shadow_map
+#undef shadow_filter_four
+#undef shadow_slope_bias_0
+#undef shadows_map
+#undef scene_shadows
+#undef carried_pos3d
 #undef stage_pixel_light
+#undef line_interpolate
+#undef camera_known
 #undef fill_rule_inclusive
 #undef depth_clear_0
 // clang-format on
@@ -139,6 +185,57 @@ TEST_CASE("The compiled code draws with edge functions as the stages do") {
     room.settings.coverage = Coverage::edge_functions;
     room.draw_right();
     namespace code = compiled_edge_functions;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code casts shadows by rays as the stages do") {
+    CompiledRoom room("pixel_light");
+    room.settings.shadows = Shadows::rays;
+    room.draw_right();
+    namespace code = compiled_shadow_rays;
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code casts shadows by a map as the stages do") {
+    CompiledRoom room("pixel_light");
+    room.settings.shadows = Shadows::map;
+    room.settings.shadow_filter = ShadowFilter::four;
+    room.settings.shadow_resolution = 64;
+    room.draw_right();
+    namespace code = compiled_shadow_map;
+    const ShadowMap map = draw_shadow_map(room.scene, code::lightPos, 64);
+    code::shadowMapSize = 64;
+    for (std::size_t face = 0; face < map.faces.size(); ++face) {
+        const ShadowFace& drawn = map.faces[face];
+        code::shadowAxes[face] = drawn.axes;
+        code::shadowMap.insert(code::shadowMap.end(), drawn.inv_depth.begin(),
+                               drawn.inv_depth.end());
+    }
+    code::triangles = room.triangles<code::Triangle>();
+    code::R = camera_rotation(room.settings.camera);
+    code::cameraPos = room.settings.camera.position;
+    code::Clear();
+    code::Draw();
+    CHECK(room.first_wrong_pixel(code::frame) == "");
+}
+
+TEST_CASE("The compiled code draws with matrices, and what clipping leaves, as the stages do") {
+    CompiledRoom room("pixel_light");
+    room.settings.transform = Transform::matrices;
+    room.settings.clip = Clip::all;
+    room.settings.camera.position.z = -0.5f;
+    room.draw_right();
+    namespace code = compiled_clipping;
     code::triangles = room.triangles<code::Triangle>();
     code::R = camera_rotation(room.settings.camera);
     code::cameraPos = room.settings.camera.position;

@@ -18,12 +18,17 @@ constexpr std::int64_t lines_of_frame = 150'000;
 /// Pictures with more pixels take too long to hand over.
 constexpr std::int64_t most_pixels = 4'000'000;
 
+/// Goes to a moment of the frame that is shown, which may be a face of a shadow map.
+void go_to_moment(Ui& ui, const Cursor& cursor) {
+    scrub_to(ui.session, in_pass(cursor, ui.results.a.frame.pass));
+}
+
 /// The session's cursor goes where the code is.
 void take_place(Ui& ui) {
     CodeLook& look = ui.code;
     look.place = look.walk.place();
     look.call = std::nullopt;
-    if (look.place.cursor != ui.results.a.cursor) scrub_to(ui.session, look.place.cursor);
+    if (look.place.cursor != ui.results.a.cursor) go_to_moment(ui, look.place.cursor);
 }
 
 bool is_too_large(const Frame& frame) {
@@ -179,7 +184,7 @@ void step_code_back(Ui& ui) {
     const Timeline timeline(ui.results.a.frame);
     const Cursor before = timeline.previous(look.place.cursor, Granularity::moment);
     if (before == look.place.cursor) return;
-    scrub_to(ui.session, before);
+    go_to_moment(ui, before);
     look.place = {before, -1};
 }
 

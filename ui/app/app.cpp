@@ -113,6 +113,7 @@ void draw_workplace(Ui& ui, const Layout& layout) {
     });
     guarded(ui, [&] { draw_canvas(ui, layout.canvas); });
     guarded(ui, [&] {
+        ui.code.pointed.clear();
         if (has_drawer) {
             draw_lesson_drawer(ui, layout.inspector);
         } else if (!draw_row_table_for_inspector(ui, layout.inspector)) {

@@ -10,6 +10,7 @@
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/marks.h"
 #include "ui/ui.h"
+#include "ui/widgets/code_entries.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
@@ -101,14 +102,14 @@ void draw_end(const Table& t, int index, bool is_left) {
     }
 
     const float low_y = std::max(top, t.top), high_y = std::min(top + t.scale, t.bottom);
+    // On a low line a box is closer to the border, so it strikes nothing out.
+    const float inset = std::clamp(0.5f * (t.scale - t.layout.numbers->FontSize), t.u, 3.0f * t.u);
+    const ImVec2 low{t.left + place.left, top + inset};
+    const ImVec2 high{t.left + place.right, top + t.scale - inset};
     const RowWrite write_now = just_written(t.ui, row);
-    if (is_left ? write_now.left : write_now.right) {
-        // On a low line the box is closer to the border, so it strikes nothing out.
-        const float inset =
-            std::clamp(0.5f * (t.scale - t.layout.numbers->FontSize), t.u, 3.0f * t.u);
-        draw_changed_box(t.ui, t.list, {t.left + place.left, top + inset},
-                         {t.left + place.right, top + t.scale - inset});
-    }
+    if (is_left ? write_now.left : write_now.right)
+        draw_box_around(t.ui, t.list, low, high, p.changed);
+    if (is_pointed_in_code(t.ui, row, is_left)) draw_box_around(t.ui, t.list, low, high, p.link);
     if (high_y - low_y < 1.0f) return;
     const float around = 4.0f * t.u; // the box around it lies within
     ImGui::SetCursorScreenPos({t.left + place.left - around, low_y});

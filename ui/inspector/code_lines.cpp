@@ -9,6 +9,8 @@
 #include "ui/actions/code.h"
 #include "ui/inspector/code_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/code_entries.h"
+#include "ui/widgets/coloured_code.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -52,8 +54,9 @@ const LineCondition* condition_of(const CodeLook& look, const ChosenLine& line) 
 
 /// What a line has computed in the call shown.
 struct LineResult {
-    std::string value;   ///< empty: nothing
-    bool is_new = false; ///< it was carried out for the last moment, or since
+    std::string value;              ///< empty: nothing
+    std::vector<CodeEntry> entries; ///< of the row table, that it reads or writes
+    bool is_new = false;            ///< it was carried out for the last moment, or since
 };
 
 /// Where the parts of a line are, screen pixels.
@@ -111,7 +114,8 @@ void draw_words(const Ui& ui, std::string_view text, float x, float y, float rig
     text.remove_prefix(blanks);
     x += indent_of(ui, blanks);
     list->PushClipRect({x, y - 2.0f}, {right, y + 2.0f * ImGui::GetTextLineHeight()}, true);
-    for (const ColouredWords& words : coloured_code(ui, text)) {
+    const Palette& p = palette(ui.options.theme);
+    for (const ColouredWords& words : coloured_code(text, ui.options.theme, p.text, p.dim)) {
         list->AddText({x, y}, packed(words.ink, opacity), words.text.data(),
                       words.text.data() + words.text.size());
         x += text_width(words.text);
@@ -119,17 +123,38 @@ void draw_words(const Ui& ui, std::string_view text, float x, float y, float rig
     list->PopClipRect();
 }
 
-/// A line of a mistake has the right one below it.
-void draw_usual(Ui& ui, const ChosenLine& line, int number, const LineLayout& at, float top) {
+/// A line of a mistake has the right ones below it, and a right one those that a mistake leaves
+/// out. Returns how many lines high they are.
+int draw_right_lines(Ui& ui, const ChosenLine& line, int number, const LineLayout& at, float top) {
     const float u = ui.options.text_scale;
     const ImVec4 right = colour_of(Meaning::pass, ui.options.theme);
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddText({at.left + 12.0f * u, top + 2.0f * u}, packed(right), passed_sign);
-    draw_words(ui, shown_words(line.usual), at.code, top + 2.0f * u, at.right, 0.75f);
+    const std::string name = fmt::format("code.right.{}", number);
+    const int count = std::max(static_cast<int>(line.usual.size()), 1);
+    if (line.is_mistake)
+        list->AddRectFilled({at.left, top - at.height}, {at.left + 3.0f * u, top},
+                            packed(colour_of(Meaning::fail, ui.options.theme)));
+    std::string all;
+    for (const std::string& usual : line.usual)
+        all.append(all.empty() ? "" : "\n").append(shown_words(usual));
+    for (int i = 0; i < count; ++i) {
+        const float y = top + static_cast<float>(i) * at.height + 2.0f * u;
+        list->AddText({at.left + 12.0f * u, y}, packed(right), passed_sign);
+        if (line.usual.empty())
+            list->AddText({at.code, y}, packed(palette(ui.options.theme).dim), "no such line");
+        else
+            draw_words(ui, shown_words(line.usual[static_cast<std::size_t>(i)]), at.code, y,
+                       at.right, 0.75f);
+    }
     ImGui::SetCursorScreenPos({at.left, top});
-    ImGui::Dummy({at.right - at.left, at.height});
-    register_widget(ui, fmt::format("code.right.{}", number), "The right line.",
-                    std::string(shown_words(line.usual)));
+    ImGui::Dummy({at.right - at.left, static_cast<float>(count) * at.height});
+    register_widget(ui, name,
+                    !line.is_mistake     ? "Missing after this line."
+                    : line.usual.empty() ? "The right code has no such line."
+                    : count == 1         ? "The right line."
+                                         : "The right lines.",
+                    all);
+    return count;
 }
 
 /// The whole line and its value, which may be cut off, and what a click does.
@@ -164,7 +189,11 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const LineResult& result
     }
     const bool hovered = can_stop && ImGui::IsItemHovered();
     register_widget(ui, name, line_tooltip(text, value, is_next, can_stop), std::string(text));
-    if (is_next || hovered)
+    if (hovered) ui.code.pointed = result.entries;
+    const bool is_lit =
+        std::any_of(result.entries.begin(), result.entries.end(),
+                    [&](const CodeEntry& entry) { return is_pointed_in_table(ui, entry); });
+    if (is_next || hovered || is_lit)
         list->AddRectFilled({at.left, top}, {at.right, top + at.height},
                             packed(p.row_lit, is_next && is_innermost ? 1.0f : 0.55f));
     // What has just been carried out.
@@ -181,17 +210,14 @@ int draw_line(Ui& ui, const ShownCode& shown, int line, const LineResult& result
         const float rest = room - words_width(ui, text) - gap;
         const std::string fitting = shortened(value, std::clamp(rest, 0.25f * room, 0.6f * room));
         const float wide = text_width(fitting) + gap;
-        const ImVec4& ground = is_next ? p.row_lit : p.card;
+        const ImVec4& ground = is_next || is_lit ? p.row_lit : p.card;
         list->AddRectFilled({end - wide, top}, {at.right, top + at.height}, packed(ground));
         list->AddText({end - text_width(fitting), top + 2.0f * u},
                       packed(result.is_new ? p.link : p.dim), fitting.c_str());
         register_text(ui, name, value);
     }
-    if (chosen.usual.empty()) return 1;
-    list->AddRectFilled({at.left, top}, {at.left + 3.0f * u, top + at.height},
-                        packed(colour_of(Meaning::fail, ui.options.theme)));
-    draw_usual(ui, chosen, number, at, top + at.height);
-    return 2;
+    if (!chosen.is_mistake && chosen.usual.empty()) return 1;
+    return 1 + draw_right_lines(ui, chosen, number, at, top + at.height);
 }
 
 } // namespace
@@ -221,7 +247,13 @@ void draw_code_lines(Ui& ui, float height) {
     const ShownCode shown = shown_code(look);
     std::map<int, LineResult> results; // by the line of the program
     if (!shown.calls.empty()) {
-        for (CodeLineValue& value : look.walk.machine().line_values(shown.calls[shown.call]))
+        const CodeCall& call = shown.calls[shown.call];
+        const std::vector<CodeShown> variables = look.walk.machine().variables(call);
+        for (int line = shown.first; line <= shown.last; ++line) {
+            const ChosenLine& chosen = look.walk.lines()[static_cast<std::size_t>(line - 1)];
+            results[line].entries = entries_in(shown_words(chosen.text), variables);
+        }
+        for (CodeLineValue& value : look.walk.machine().line_values(call))
             results[value.line].value = std::move(value.text);
     }
     for (const int line : look.walk.recent_lines())

@@ -13,16 +13,6 @@ struct Ui;
 
 // The parts of the tab of the lab's code; see code_panel.cpp.
 
-/// Words of the same colour in a line of code.
-struct ColouredWords {
-    std::string_view text;
-    ImVec4 ink;
-};
-
-/// A line of C++ as words with their colours: leftPixels and rightPixels have those that they have
-/// in the table; keywords, types and comments are dim.
-std::vector<ColouredWords> coloured_code(const Ui& ui, std::string_view line);
-
 /// The lines of the file that is being carried out, with what each has computed.
 /// @param height of the box, screen pixels
 void draw_code_lines(Ui& ui, float height);

@@ -11,6 +11,12 @@
 
 namespace rasterwalk {
 
+/// An entry of leftPixels or rightPixels that a line of the code reads or writes.
+struct CodeEntry {
+    int index = 0;
+    bool is_left = false;
+};
+
 /// What the lab's code keeps from one frame to the next, see ui/actions/code.h.
 struct CodeLook {
     std::optional<LabCode> code; ///< none: not read yet
@@ -27,6 +33,7 @@ struct CodeLook {
     std::string condition_fault;         ///< of the condition last given; empty: none
     std::optional<LineCondition> edited; ///< the condition in the field
     std::optional<std::size_t> call; ///< whose lines are shown, from outside; none: the innermost
+    std::vector<CodeEntry> pointed;  ///< those of the line under the pointer; lit in the table
     int scrolled_to = 0;             ///< line of the program that the page was last scrolled to
     float scrolled_in = 0.0f;        ///< and how high the box was, screen pixels
 };

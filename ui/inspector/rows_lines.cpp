@@ -38,8 +38,9 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
     if (ImGui::CalcTextSize(text.c_str()).x > width) text = end_text(end, is_left, true);
     right_aligned(text, colour);
     if (is_changed) {
-        draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
-                         {low.x + width, low.y + ImGui::GetTextLineHeight()});
+        draw_box_around(ui, ImGui::GetWindowDrawList(), low,
+                        {low.x + width, low.y + ImGui::GetTextLineHeight()},
+                        palette(ui.options.theme).changed);
     }
     register_widget(ui, name, end_tooltip(ui, end, writer));
     if (writer.is_set() && is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);

@@ -8,6 +8,7 @@
 #include "ui/page/figure_view.h"
 #include "ui/page/markdown_layout.h"
 #include "ui/ui.h"
+#include "ui/widgets/coloured_code.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/pictures.h"
 #include "ui/widgets/style.h"
@@ -240,6 +241,23 @@ void clip_page_to_lines(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     }
 }
 
+/// Names in code have the colours that they have in the table and in the picture.
+void draw_piece_text(ImDrawList* list, const PagePiece& piece, ImFont* font, ImVec2 at,
+                     const ImVec4& colour, Theme theme) {
+    const auto draw = [&](std::string_view text, const ImVec4& ink) {
+        list->AddText(font, font->FontSize, at, packed(ink), text.data(),
+                      text.data() + text.size());
+    };
+    if (piece.font != PageFont::mono || piece.link >= 0) {
+        draw(piece.text, colour);
+        return;
+    }
+    for (const ColouredWords& words : coloured_code(piece.text, theme, colour, colour)) {
+        draw(words.text, words.ink);
+        at.x += text_width(font, words.text);
+    }
+}
+
 void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight,
                  int hovered, bool has_vectors) {
     const Palette& p = palette(ui.options.theme);
@@ -263,8 +281,7 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
             const ImVec2 high{at.x + piece.width + 3.0f * u, at.y + font->FontSize + 2.0f * u};
             list->AddRectFilled(low, high, packed(p.button), 3.0f * u);
         }
-        const char* const begin = piece.text.data();
-        list->AddText(font, font->FontSize, at, packed(colour), begin, begin + piece.text.size());
+        draw_piece_text(list, piece, font, at, colour, ui.options.theme);
         if (piece.link < 0) continue;
         const float y = std::round(at.y + font->Ascent + 2.5f * u);
         const float thickness =

@@ -237,10 +237,11 @@ void right_aligned(std::string_view text, const ImVec4& colour, ImFont* font) {
     if (font != nullptr) ImGui::PopFont();
 }
 
-void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
+void draw_box_around(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high,
+                     const ImVec4& colour) {
     const float u = ui.options.text_scale;
     list->AddRect({low.x - 2.0f * u, low.y - 1.0f * u}, {high.x + 2.0f * u, high.y + 1.0f * u},
-                  packed(palette(ui.options.theme).changed), 3.0f * u, 0, 1.5f * u);
+                  packed(colour), 3.0f * u, 0, 1.5f * u);
 }
 
 void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom) {

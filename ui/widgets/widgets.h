@@ -62,8 +62,8 @@ void wrapped_text_in(const ImVec4& colour, std::string_view text, ImFont* font =
 /// Text at the right edge of the current table cell or of the width given.
 void right_aligned(std::string_view text, const ImVec4& colour, ImFont* font = nullptr);
 
-/// The frame around what the current moment has just changed.
-void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
+/// A frame around a number: in Palette::changed, what the current moment has just changed.
+void draw_box_around(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high, const ImVec4& colour);
 
 /// The bar at the left of the current moment's row.
 /// @param low its upper left corner

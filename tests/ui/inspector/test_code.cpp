@@ -10,6 +10,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/code.h"
 #include "ui/ui.h"
+#include "ui/widgets/code_entries.h"
 #include "ui/widgets/keys.h"
 
 namespace rasterwalk {
@@ -144,6 +145,39 @@ TEST_CASE("A line of a mistake has the right one below it") {
           std::string::npos);
 }
 
+TEST_CASE("A number of the row table is lit together with the line that has it") {
+    Driver driver("one-triangle.toml");
+    open_code(driver, edge_begin);
+    const int line = line_number(driver, "leftPixels[row] = line[k];");
+    driver.hand.click("code.line." + std::to_string(line));
+    driver.hand.click("code.step");
+    const RowHistory& history = driver.ui.results.a.rows;
+    const std::vector<CodeShown> variables =
+        driver.ui.code.walk.machine().variables(driver.ui.code.walk.machine().calls().back());
+    const auto row = std::find_if(variables.begin(), variables.end(),
+                                  [](const CodeShown& one) { return one.name == "row"; });
+    REQUIRE(row != variables.end());
+    const int index = std::stoi(row->value), picture_row = history.rows.first_row + index;
+    driver.hand.hover("code.line." + std::to_string(line));
+    driver.hand.frames(2);
+    REQUIRE(driver.ui.code.pointed.size() == 1);
+    CHECK(driver.ui.code.pointed[0].index == index);
+    CHECK(driver.ui.code.pointed[0].is_left);
+    CHECK(is_pointed_in_code(driver.ui, picture_row, true));
+    CHECK_FALSE(is_pointed_in_code(driver.ui, picture_row, false));
+    CHECK_FALSE(is_pointed_in_code(driver.ui, picture_row + 1, true));
+    // A line without an entry lights none.
+    driver.hand.hover("code.line." +
+                      std::to_string(line_number(driver, "int row = line[k].y - ymin;")));
+    driver.hand.frames(2);
+    CHECK(driver.ui.code.pointed.empty());
+    // And from the table to the line.
+    driver.hand.hover("canvas.rows." + std::to_string(picture_row));
+    driver.hand.frames(2);
+    CHECK(is_pointed_in_table(driver.ui, {index, true}));
+    CHECK_FALSE(is_pointed_in_table(driver.ui, {index + 1, true}));
+}
+
 TEST_CASE("Callers are shown with the line that calls") {
     Driver driver("one-triangle.toml");
     open_code(driver, edge_begin);
@@ -155,10 +189,11 @@ TEST_CASE("Callers are shown with the line that calls") {
 
 TEST_CASE("Where a setting has no lines, the code says so") {
     Driver driver;
-    driver.ui.session.a.settings.coverage = Coverage::active_edges;
+    driver.hand.click("stage.depth");
+    driver.ui.session.a.settings.depth_test = DepthTest::raced;
     driver.hand.frames(3);
     driver.open("code");
-    CHECK(words_shown(driver, "code.missing").find("active edges") != std::string::npos);
+    CHECK(words_shown(driver, "code.missing").find("two threads") != std::string::npos);
     // Steps by line are moments there.
     driver.hand.click("step.code");
     driver.hand.press(key::home);
@@ -173,7 +208,7 @@ TEST_CASE("What is just another way to do it is not called a mistake") {
     open_code(driver, edge_begin);
     const std::vector<ChosenLine>& lines = driver.ui.code.walk.lines();
     CHECK(std::all_of(lines.begin(), lines.end(),
-                      [](const ChosenLine& line) { return line.usual.empty(); }));
+                      [](const ChosenLine& line) { return !line.is_mistake; }));
 }
 
 TEST_CASE("A condition that is set while time plays, or that fails, does no harm") {

@@ -1,10 +1,8 @@
+#include "ui/widgets/coloured_code.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-
-#include "ui/inspector/code_parts.h"
-#include "ui/ui.h"
-#include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
@@ -18,25 +16,25 @@ constexpr std::array keywords{
     std::string_view("vec3"),    std::string_view("vector"),   std::string_view("void"),
     std::string_view("while"),   std::string_view("break"),    std::string_view("Pixel"),
     std::string_view("Vertex"),  std::string_view("Triangle"), std::string_view("vec2"),
-    std::string_view("Texture"),
+    std::string_view("Texture"), std::string_view("vec4"),     std::string_view("Axes"),
+    std::string_view("Vec4d"),   std::string_view("Matrix"),   std::string_view("Edge"),
+    std::string_view("true"),    std::string_view("false"),
 };
 
 bool is_of_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-ImVec4 ink_of(const Ui& ui, std::string_view word) {
-    const Palette& p = palette(ui.options.theme);
-    if (word == "leftPixels") return colour_of(Meaning::left_end, ui.options.theme);
-    if (word == "rightPixels") return colour_of(Meaning::right_end, ui.options.theme);
-    const bool is_keyword = std::find(keywords.begin(), keywords.end(), word) != keywords.end();
-    return is_keyword ? p.dim : p.text;
-}
-
 } // namespace
 
-std::vector<ColouredWords> coloured_code(const Ui& ui, std::string_view line) {
-    const Palette& p = palette(ui.options.theme);
+std::vector<ColouredWords> coloured_code(std::string_view line, Theme theme, const ImVec4& plain,
+                                         const ImVec4& quiet) {
+    const auto ink_of = [&](std::string_view word) {
+        if (word == "leftPixels") return colour_of(Meaning::left_end, theme);
+        if (word == "rightPixels") return colour_of(Meaning::right_end, theme);
+        const bool is_keyword = std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+        return is_keyword ? quiet : plain;
+    };
     std::vector<ColouredWords> words;
     const std::size_t comment = std::min(line.find("//"), line.size());
     std::size_t at = 0;
@@ -46,10 +44,10 @@ std::vector<ColouredWords> coloured_code(const Ui& ui, std::string_view line) {
         while (end < comment && is_of_word(line[end]) == is_word)
             ++end;
         const std::string_view text = line.substr(at, end - at);
-        words.push_back({text, is_word ? ink_of(ui, text) : p.text});
+        words.push_back({text, is_word ? ink_of(text) : plain});
         at = end;
     }
-    if (comment < line.size()) words.push_back({line.substr(comment), p.dim});
+    if (comment < line.size()) words.push_back({line.substr(comment), quiet});
     return words;
 }
 
