@@ -233,9 +233,9 @@ void CodeWalk::begin_at(const Cursor& cursor, const Framebuffer& planes) {
     if (is_in_rows) machine_->skip_to(row_, cursor.index);
     // Nor are pixels tested for those rows.
     const bool has_tests = test_ < program_->marks.size();
-    const bool is_drawn =
-        cursor.triangle < frame_->triangle_count() && frame_->is_drawn(cursor.triangle);
-    if (is_in_rows && has_tests && is_drawn) {
+    const bool is_of_triangle =
+        !is_square && cursor.triangle >= 0 && cursor.triangle < frame_->triangle_count();
+    if (is_in_rows && has_tests && is_of_triangle && frame_->is_drawn(cursor.triangle)) {
         machine_->skip_to(box_row_, cursor.index);
         machine_->skip_to(pixel_row_, rows_of(cursor.triangle).first_row + cursor.index);
     }
