@@ -59,9 +59,10 @@ void PixelShader(const Pixel& p)
 #else
     vec3 position = p.pos3d / p.zinv;
 #endif
-#if scene_corners
+#if scene_corners || scene_surface_axes
     vec3 normal = currentNormal;
     vec3 color = currentReflectance;
+#if scene_corners
 #if interpolation_affine || interpolation_undivided
     if (currentSmooth)
 #if light_renormalize_off
@@ -99,6 +100,7 @@ void PixelShader(const Pixel& p)
     if (currentBlended)
         color = p.color / p.zinv;
 #endif
+#endif
 #if normal_w_one && scene_surface_axes
     normal = Normalized(normal - cameraPos); // moved like a point, as if its w were 1
 #endif
@@ -115,21 +117,6 @@ void PixelShader(const Pixel& p)
 #else
     PutPixel(p.x, p.y, ReflectedLight(position, normal, color));
 #endif
-#elif scene_surface_axes
-    vec3 normal = currentNormal;
-#if normal_w_one && scene_surface_axes
-    normal = Normalized(normal - cameraPos); // moved like a point, as if its w were 1
-#endif
-#if scene_height_maps
-    currentShift = Parallax(position, normal, p);
-#endif
-#if scene_normal_maps && light_sides_two
-    normal = BentNormalInView(position, normal, p);
-#elif scene_normal_maps
-    normal = BentNormal(normal, p);
-#endif
-    vec3 color = Painted(currentReflectance, p);
-    PutPixel(p.x, p.y, ReflectedLight(position, normal, color));
 #else
 #if scene_textures
     vec3 color = Painted(currentReflectance, p);

@@ -281,8 +281,31 @@ int CodeWalk::lines_of_moment() {
     return static_cast<int>(machine_->lines() - first);
 }
 
+/// Is it less work to go on to a moment than to start over: is all on the way needed for it too?
+bool CodeWalk::is_just_ahead(const Cursor& moment) const {
+    const Cursor& now = place_.cursor;
+    if (!is_there_ || is_over_ || !(now < moment)) return false;
+    if (moment.square >= 0) return now.square >= 0;
+    // Rows that are left out on the way are not drawn.
+    const bool needs_all = moment.phase == Phase::tests || moment.index <= now.index + 1;
+    return needs_all && now.triangle == moment.triangle && now.phase == moment.phase;
+}
+
+/// Goes to a moment from where the machine is, or from the beginning.
+void CodeWalk::arrive_at(const Cursor& moment, bool is_ahead, const Framebuffer& planes) {
+    is_there_ = false;
+    if (is_ahead) {
+        machine_->allow(machine_->lines() + most_lines_of_moment);
+        machine_->pause_before(0);
+        machine_->pause_outside(0);
+        is_there_ = run_until(moment) == CodeArrival::arrived;
+    }
+    if (!is_there_) begin_at(moment, planes);
+}
+
 CodePlace CodeWalk::seek(const CodePlace& place, const Framebuffer& planes) {
     if (is_there_ && place == place_) return place_;
+    const bool is_ahead = is_just_ahead(place.cursor);
     place_ = place;
     place_.lines = 0;
     if (place.cursor == cursor_end) {
@@ -290,7 +313,7 @@ CodePlace CodeWalk::seek(const CodePlace& place, const Framebuffer& planes) {
         begin_at(after_all, planes);
         return place_;
     }
-    begin_at(place.cursor, planes);
+    arrive_at(place.cursor, is_ahead, planes);
     int lines = place.lines;
     if (!is_there_) return place_;
     if (lines < 0) {

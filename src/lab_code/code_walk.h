@@ -103,6 +103,8 @@ class CodeWalk {
     int box_rows_before(int triangle, int of_fan);
     int pixels_left_of_picture(int triangle, int row);
     std::size_t mark_named(std::string_view name) const;
+    bool is_just_ahead(const Cursor& moment) const;
+    void arrive_at(const Cursor& moment, bool is_ahead, const Framebuffer& planes);
     void begin_at(const Cursor& cursor, const Framebuffer& planes);
     int lines_of_moment();
     CodeArrival run_until(const Cursor& moment);

@@ -251,6 +251,38 @@ TEST_CASE("A line that is looked up is the one that stepping comes to") {
     }
 }
 
+TEST_CASE("Going on to a later moment comes to the same line as starting over") {
+    const Scene scene = lab_room();
+    Random random(4806);
+    for (const char* set :
+         {"hidden=depth_buffer", "hidden=warnock", "coverage=edge_functions", "samples=4"}) {
+        CAPTURE(set);
+        Settings settings = walked_frame(scene, *find_stage("depth")).settings;
+        if (std::string(set) == "samples=4") settings.coverage = Coverage::edge_functions;
+        set_from_text(settings, set);
+        const Frame frame = prepare_frame(scene, settings);
+        const Timeline timeline(frame);
+        Replay replay;
+        replay.begin(frame);
+        CodeWalk going, beginning;
+        going.take(walked_code(), frame, 1);
+        for (int round = 0; round < rounds(20, 4); ++round) {
+            Cursor at = timeline.at_place(random.real(0.0, 0.9));
+            for (int step = 0; step < 8 && at != cursor_end; ++step) {
+                const CodePlace place{at, random.integer(0, 2)};
+                const CodePlace came = going.seek(place, replay.at(at));
+                beginning.take(walked_code(), frame,
+                               static_cast<std::uint64_t>(100 * round + step));
+                CAPTURE(to_text(at), place.lines);
+                CHECK(beginning.seek(place, replay.at(at)) == came);
+                CHECK(whereabouts(beginning.machine()) == whereabouts(going.machine()));
+                for (int skipped = random.integer(1, 3); skipped > 0 && at != cursor_end; --skipped)
+                    at = timeline.next(at, Granularity::moment);
+            }
+        }
+    }
+}
+
 TEST_CASE("The last line of a moment is the one before the next moment's first") {
     const Scene scene = lab_room();
     const Frame frame = walked_frame(scene, *find_stage("vertex_light"));

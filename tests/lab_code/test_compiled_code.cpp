@@ -112,18 +112,29 @@ namespace rasterwalk::test {
 namespace {
 
 /// The picture of the stages, and the room as the code has it.
-struct CompiledRoom {
+class CompiledRoom {
+  public:
     Scene scene = lab_room();
     Settings settings = default_settings(scene);
-    Framebuffer right;
 
     explicit CompiledRoom(const char* stage) { set_step(settings, find_stage(stage)->step); }
-    void draw_right() {
+
+    /// Has the program draw the room, too, and says the first pixel with another colour; empty:
+    /// none. The parameters are the program's own.
+    template <class Triangle, class Picture>
+    std::string first_wrong_pixel(std::vector<Triangle>& list, glm::mat3& rotation, glm::vec3& eye,
+                                  void (*clear)(), void (*draw)(), const Picture& picture) {
         settings.camera.yaw = 0.2f;
-        const Frame frame = prepare_frame(scene, settings);
-        right = draw_frame(frame);
+        right_ = draw_frame(prepare_frame(scene, settings));
+        list = triangles<Triangle>();
+        rotation = camera_rotation(settings.camera);
+        eye = settings.camera.position;
+        clear();
+        draw();
+        return difference_to(picture);
     }
 
+  private:
     template <class Triangle>
     std::vector<Triangle> triangles() const {
         std::vector<Triangle> list;
@@ -140,70 +151,51 @@ struct CompiledRoom {
         return list;
     }
 
-    /// The first pixel with another colour; empty: none.
     template <class Picture>
-    std::string first_wrong_pixel(const Picture& picture) const {
-        for (int y = 0; y < right.size.height; ++y) {
-            for (int x = 0; x < right.size.width; ++x) {
-                const glm::vec3& wanted = right.colour[right.at(x, y)];
+    std::string difference_to(const Picture& picture) const {
+        for (int y = 0; y < right_.size.height; ++y) {
+            for (int x = 0; x < right_.size.width; ++x) {
+                const glm::vec3& wanted = right_.colour[right_.at(x, y)];
                 if (std::memcmp(&picture[y][x], &wanted, sizeof wanted) != 0)
                     return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")";
             }
         }
         return {};
     }
+
+    Framebuffer right_; ///< the picture of the stages
 };
 
 } // namespace
 
 TEST_CASE("The compiled code draws the ends of the rows as the stages do") {
     CompiledRoom room("rows");
-    room.draw_right();
     namespace code = compiled_rows;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code draws light per vertex as the stages do") {
     CompiledRoom room("vertex_light");
-    room.draw_right();
     namespace code = compiled_vertex_light;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code draws with edge functions as the stages do") {
     CompiledRoom room("pixel_light");
     room.settings.coverage = Coverage::edge_functions;
-    room.draw_right();
     namespace code = compiled_edge_functions;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code casts shadows by rays as the stages do") {
     CompiledRoom room("pixel_light");
     room.settings.shadows = Shadows::rays;
-    room.draw_right();
     namespace code = compiled_shadow_rays;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code casts shadows by a map as the stages do") {
@@ -211,7 +203,6 @@ TEST_CASE("The compiled code casts shadows by a map as the stages do") {
     room.settings.shadows = Shadows::map;
     room.settings.shadow_filter = ShadowFilter::four;
     room.settings.shadow_resolution = 64;
-    room.draw_right();
     namespace code = compiled_shadow_map;
     const ShadowMap map = draw_shadow_map(room.scene, code::lightPos, 64);
     code::shadowMapSize = 64;
@@ -221,12 +212,8 @@ TEST_CASE("The compiled code casts shadows by a map as the stages do") {
         code::shadowMap.insert(code::shadowMap.end(), drawn.inv_depth.begin(),
                                drawn.inv_depth.end());
     }
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code draws with matrices, and what clipping leaves, as the stages do") {
@@ -234,28 +221,18 @@ TEST_CASE("The compiled code draws with matrices, and what clipping leaves, as t
     room.settings.transform = Transform::matrices;
     room.settings.clip = Clip::all;
     room.settings.camera.position.z = -0.5f;
-    room.draw_right();
     namespace code = compiled_clipping;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 TEST_CASE("The compiled code draws Bresenham's lines and affine values as the stages do") {
     CompiledRoom room("pixel_light");
     room.settings.line = LineAlgorithm::bresenham;
     room.settings.interpolation = Interpolation::affine;
-    room.draw_right();
     namespace code = compiled_bresenham;
-    code::triangles = room.triangles<code::Triangle>();
-    code::R = camera_rotation(room.settings.camera);
-    code::cameraPos = room.settings.camera.position;
-    code::Clear();
-    code::Draw();
-    CHECK(room.first_wrong_pixel(code::frame) == "");
+    CHECK(room.first_wrong_pixel(code::triangles, code::R, code::cameraPos, code::Clear, code::Draw,
+                                 code::frame) == "");
 }
 
 } // namespace rasterwalk::test

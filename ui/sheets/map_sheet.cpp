@@ -219,10 +219,13 @@ std::string draw_map(Ui& ui) {
 void draw_map_sheet(Ui& ui, ImVec2 window) {
     if (!ui.sheets.is_open(Sheet::map)) return;
     begin_sheet(ui, map_look, window);
+    constexpr std::string_view hint =
+        "Lines run from a lesson to those that build on it. Point at one to see all it needs.";
     ImGui::SameLine(0.0f, 24.0f * ui.options.text_scale);
-    text_in(palette(ui.options.theme).dim,
-            "Lines run from a lesson to those that build on it. Point at one to see all it needs.",
-            ui.fonts.small);
+    if (text_width(ui.fonts.small, hint) <= ImGui::GetContentRegionAvail().x)
+        text_in(palette(ui.options.theme).dim, hint, ui.fonts.small);
+    else
+        ImGui::NewLine();
     ImGui::BeginChild("lessons", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const std::string chosen = draw_map(ui);
     ImGui::EndChild();
