@@ -1,6 +1,7 @@
 #include "lessons/progress.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -20,10 +21,10 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
     input.read("last_step", lesson.last_step, 0, most_lesson_steps);
     if (input.find("steps") != nullptr) {
         for (const toml::node& node : input.list("steps")) {
-            const auto step = node.value<int>();
+            const auto step = node.value_exact<std::int64_t>();
             if (!step || *step < 0 || *step > most_lesson_steps)
-                input.fail(node, "A step must be a number.");
-            lesson.steps.insert(*step);
+                input.fail(node, "A step must be a whole number.");
+            lesson.steps.insert(static_cast<int>(*step));
         }
     }
     if (input.find("tasks") != nullptr) {

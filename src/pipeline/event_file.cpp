@@ -27,7 +27,7 @@ constexpr int largest_whole = 1 << 24;
 constexpr int most_pieces = 1 << 17;
 
 /// The longest line of an event, bytes.
-constexpr std::size_t longest_line = 10'000;
+constexpr std::size_t longest_event_line = 10'000;
 
 // The fields of each kind of event: what both the reader and the writer go through. `visit` takes a
 // name and a value.
@@ -230,11 +230,11 @@ bool can_be_at(std::size_t kind, const Cursor& cursor) {
 
 /// Reads the line of an event. Throws InputError without the line.
 Event parse_event(std::string_view line) {
-    if (line.size() > longest_line)
-        throw InputError(fmt::format("a line of more than {} bytes", longest_line));
+    if (line.size() > longest_event_line)
+        throw InputError(fmt::format("a line of more than {} bytes.", longest_event_line));
     std::vector<std::string_view> fields = split(line, '\t');
     const auto kind = std::find(kinds.begin(), kinds.end(), fields[0]);
-    if (kind == kinds.end()) throw InputError(in_quotes(fields[0]) + " is no kind of event");
+    if (kind == kinds.end()) throw InputError(in_quotes(fields[0]) + " is no kind of event.");
     fields.erase(fields.begin());
     const auto take = [&](std::string_view name) -> std::optional<std::string_view> {
         for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -249,12 +249,12 @@ Event parse_event(std::string_view line) {
     const std::optional<Cursor> cursor = parse_cursor(at);
     const auto number = static_cast<std::size_t>(kind - kinds.begin());
     if (!cursor || !can_be_at(number, *cursor))
-        throw InputError(fmt::format("at={} is not the moment of a {}", in_quotes(at), *kind));
+        throw InputError(fmt::format("at={} is not the moment of a {}.", in_quotes(at), *kind));
     Event event = event_of_kind(number, std::make_index_sequence<kinds.size()>());
     const auto read_field = [&](std::string_view name, auto& value) {
         const std::optional<std::string_view> text = take(name);
         if (text && !read_value(*text, value))
-            throw InputError(fmt::format("{} is not a value of {}", in_quotes(*text), name));
+            throw InputError(fmt::format("{} is not a value of {}.", in_quotes(*text), name));
     };
     std::visit(
         [&](auto& of_kind) {
@@ -264,7 +264,7 @@ Event parse_event(std::string_view line) {
         event);
     if (!fields.empty())
         throw InputError(
-            fmt::format("a {} has no field {}, or not twice", *kind, in_quotes(fields[0])));
+            fmt::format("a {} has no field {}, or not twice.", *kind, in_quotes(fields[0])));
     return event;
 }
 
@@ -300,17 +300,17 @@ std::vector<Event> parse_recording(std::string_view text, const std::string& pat
     std::vector<Event> events;
     int number = 1;
     if (take_part(text, '\n') != first_line)
-        throw InputError(path, number, fmt::format("the first line is not \"{}\"", first_line));
+        throw InputError(path, number, fmt::format("the first line is not \"{}\".", first_line));
     while (!text.empty()) {
         const std::string_view line = take_part(text, '\n');
         ++number;
         if (line == last_line) {
-            if (!text.empty()) throw InputError(path, number, "text after the end");
+            if (!text.empty()) throw InputError(path, number, "text after the end.");
             return events;
         }
         if (events.size() == most_recorded_events)
             throw InputError(path, number,
-                             fmt::format("more than {} events", most_recorded_events));
+                             fmt::format("more than {} events.", most_recorded_events));
         try {
             events.push_back(parse_event(line));
         } catch (const InputError& fault) {
@@ -319,9 +319,10 @@ std::vector<Event> parse_recording(std::string_view text, const std::string& pat
         const Cursor& cursor = cursor_of(events.back());
         if (events.size() > 1 && cursor < cursor_of(events[events.size() - 2]))
             throw InputError(path, number,
-                             to_text(cursor) + " comes after a later moment: not in order of time");
+                             to_text(cursor) +
+                                 " comes after a later moment: not in order of time.");
     }
-    throw InputError(path, number, "the recording stops here, without a line \"end\"");
+    throw InputError(path, number, "the recording stops here, without a line \"end\".");
 }
 
 std::vector<Event> read_recording(const std::string& path) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-bool is_blank(char c) {
+bool separates_words(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
@@ -34,13 +34,13 @@ std::string_view take_line(std::string_view& text) {
 }
 
 bool is_comment(std::string_view line) {
-    const auto first = std::find_if_not(line.begin(), line.end(), is_blank);
+    const auto first = std::find_if_not(line.begin(), line.end(), separates_words);
     return first != line.end() && *first == '#';
 }
 
 bool take_backslash(std::string_view& line) {
     std::string_view text = line;
-    while (!text.empty() && is_blank(text.back()))
+    while (!text.empty() && separates_words(text.back()))
         text.remove_suffix(1);
     if (!text.ends_with('\\')) return false;
     line = text.substr(0, text.size() - 1);
@@ -76,10 +76,10 @@ bool ObjLines::next() {
 
 std::string_view take_word(std::string_view& text) {
     std::size_t begin = 0;
-    while (begin < text.size() && is_blank(text[begin]))
+    while (begin < text.size() && separates_words(text[begin]))
         ++begin;
     std::size_t end = begin;
-    while (end < text.size() && !is_blank(text[end]))
+    while (end < text.size() && !separates_words(text[end]))
         ++end;
     const std::string_view word = text.substr(begin, end - begin);
     text.remove_prefix(end);

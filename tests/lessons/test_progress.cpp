@@ -1,5 +1,7 @@
 #include "lessons/progress.h"
 
+#include <filesystem>
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -197,10 +199,9 @@ TEST_CASE("A file of progress that is damaged is refused with its line") {
     CHECK(fault_of("lesson = 'a'").find("progress.toml:1: the progress has no 'lesson'") == 0);
     CHECK(fault_of("\nlessons = 5") == "progress.toml:2: the lessons must be a table.");
     CHECK(fault_of("[lessons]\na = 5") == "progress.toml:2: a lesson must be a table.");
-    CHECK(fault_of("[lessons.a]\nsteps = [1, 'two']") == "progress.toml:2: A step must be a "
-                                                         "number.");
-    CHECK(fault_of("[lessons.a]\nsteps = [-1]") == "progress.toml:2: A step must be a number.");
-    CHECK(fault_of("[lessons.a]\nsteps = [65]") == "progress.toml:2: A step must be a number.");
+    for (const std::string step : {"-1", "65", "2.0", "1e70", "1, 'two'"})
+        CHECK(fault_of("[lessons.a]\nsteps = [" + step + "]") ==
+              "progress.toml:2: A step must be a whole number.");
     CHECK(fault_of("[lessons.a]\nlast_step = 9999999999").find("progress.toml:2: ") == 0);
     CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: The name of a task must "
                                                   "be text.");
@@ -295,6 +296,27 @@ TEST_CASE("Two processes that write at the same time lose none of each other's w
     const Progress both = read_progress(path);
     CHECK(both.of("01-a").steps.size() == count);
     CHECK(both.of("02-b").steps.size() == count);
+}
+
+TEST_CASE("Where no folder can be made, the reason is that of the folder, not that it is missing") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("state/rasterwalk/progress.toml");
+    std::filesystem::permissions(folder.file(""), std::filesystem::perms(0555));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        constexpr uid_t nobody = 65534; // root may write anywhere
+        if (::getuid() == 0 && ::setuid(nobody) != 0) ::_exit(2);
+        try {
+            write_progress({}, some_progress(), path);
+        } catch (const AccessError& fault) {
+            ::_exit(fault.what() == "cannot write '" + path + "': Permission denied." ? 0 : 1);
+        }
+        ::_exit(3);
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    std::filesystem::permissions(folder.file(""), std::filesystem::perms(0755));
+    CHECK(status == 0);
 }
 
 TEST_CASE("Progress broken by someone in the meantime is left as it is") {

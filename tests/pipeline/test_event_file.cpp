@@ -74,35 +74,35 @@ TEST_CASE("A student's program need not write all fields") {
 
 TEST_CASE("A fault in a recording is named with its line") {
     using namespace event_files;
-    CHECK(fault_of("") == "1: the first line is not \"rasterwalk events 1\"");
+    CHECK(fault_of("") == "1: the first line is not \"rasterwalk events 1\".");
     CHECK(fault_of("rasterwalk events 2\nend\n") ==
-          "1: the first line is not \"rasterwalk events 1\"");
-    CHECK(fault_of(head) == "1: the recording stops here, without a line \"end\"");
-    CHECK(fault_of(head + "end\ncull\tat=t0/k\n") == "2: text after the end");
-    CHECK(fault_of_line("") == "2: '' is no kind of event");
-    CHECK(fault_of_line("pixel\tat=t0/r0/c0") == "2: 'pixel' is no kind of event");
-    CHECK(fault_of_line("fragment\tcolumn=1") == "2: at='' is not the moment of a fragment");
+          "1: the first line is not \"rasterwalk events 1\".");
+    CHECK(fault_of(head) == "1: the recording stops here, without a line \"end\".");
+    CHECK(fault_of(head + "end\ncull\tat=t0/k\n") == "2: text after the end.");
+    CHECK(fault_of_line("") == "2: '' is no kind of event.");
+    CHECK(fault_of_line("pixel\tat=t0/r0/c0") == "2: 'pixel' is no kind of event.");
+    CHECK(fault_of_line("fragment\tcolumn=1") == "2: at='' is not the moment of a fragment.");
     for (const std::string at :
          {"end", "t0/p0/s0", "p1:t0/r0/c0", "t1000000/r0/c0", "t0/r131072/c0", "t0/r0/c131072",
           "t0/v3", "t-1/r0/c0", "t99999999999/r0/c0", "?"})
         CHECK(fault_of_line("fragment\tat=" + at) ==
-              "2: at='" + at + "' is not the moment of a fragment");
-    CHECK(fault_of_line("clip\tat=t0/p6/s0") == "2: at='t0/p6/s0' is not the moment of a clip");
+              "2: at='" + at + "' is not the moment of a fragment.");
+    CHECK(fault_of_line("clip\tat=t0/p6/s0") == "2: at='t0/p6/s0' is not the moment of a clip.");
     const std::string fragment = "fragment\tat=t0/r0/c0\t";
     for (const std::string value : {"x", "", "1.5", "16777217", "99999999999", "1 "})
         CHECK(fault_of_line(fragment + "column=" + value) ==
-              "2: '" + value + "' is not a value of column");
-    CHECK(fault_of_line(fragment + "fate=lost") == "2: 'lost' is not a value of fate");
-    CHECK(fault_of_line(fragment + "after=1,2") == "2: '1,2' is not a value of after");
-    CHECK(fault_of_line(fragment + "after=1,2,3,4") == "2: '1,2,3,4' is not a value of after");
+              "2: '" + value + "' is not a value of column.");
+    CHECK(fault_of_line(fragment + "fate=lost") == "2: 'lost' is not a value of fate.");
+    CHECK(fault_of_line(fragment + "after=1,2") == "2: '1,2' is not a value of after.");
+    CHECK(fault_of_line(fragment + "after=1,2,3,4") == "2: '1,2,3,4' is not a value of after.");
     CHECK(fault_of_line(fragment + "colour=1") ==
-          "2: a fragment has no field 'colour=1', or not twice");
+          "2: a fragment has no field 'colour=1', or not twice.");
     CHECK(fault_of_line(fragment + "row=1\trow=1") ==
-          "2: a fragment has no field 'row=1', or not twice");
+          "2: a fragment has no field 'row=1', or not twice.");
     CHECK(fault_of_line("cull\tat=t0/k\tvalues=" + std::string(9'000, ',')).starts_with("2: "));
-    CHECK(fault_of_line(std::string(10'001, '\t')) == "2: a line of more than 10000 bytes");
+    CHECK(fault_of_line(std::string(10'001, '\t')) == "2: a line of more than 10000 bytes.");
     CHECK(fault_of_line("cull\tat=t1/k\ncull\tat=t0/k") ==
-          "3: t0/k comes after a later moment: not in order of time");
+          "3: t0/k comes after a later moment: not in order of time.");
 }
 
 TEST_CASE("No part of a recording, and none with a wrong byte, does harm") {

@@ -1,8 +1,9 @@
 #pragma once
 
-// Small files of every supported format, changed at random, and what must be true for each of
-// them: it is read with a sound result, or it is refused with a sentence; and within the bounds. A
-// test tries a few hundred of each format, tests/fuzz/fuzz as many as requested.
+// Small files of every supported format, and other texts from outside, changed at random, and what
+// must be true for each of them: it is read with a sound result, or it is refused with a sentence;
+// and within the bounds. A test tries a few hundred of each format, tests/fuzz/fuzz as many as
+// requested.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,15 +25,16 @@ struct FileOutcome {
     std::string problem;  ///< what is wrong with that; empty: nothing
 };
 
-/// A format of files.
+/// A format of files, or of texts that are in no file.
 struct ChangedFormat {
     std::string name;               ///< "PNG"
     std::vector<std::string> seeds; ///< sound files, at least one
     std::vector<std::string> words; ///< pieces that trip up readers
     FileOutcome (*read)(const std::string& bytes, const TemporaryFolder& folder);
+    bool can_refuse = true; ///< or any text is read
 };
 
-/// PNG, JPG, TGA, BMP, PPM, PGM, OBJ, MTL, scenes and figures.
+/// All formats, see changed_formats.h.
 std::vector<ChangedFormat> changed_formats();
 
 /// A seed with one to six changes, more often few: bytes and words that are put in, left out or

@@ -61,7 +61,8 @@ std::string problem_of_source(const ModelSource& source, const Mesh& mesh) {
     if (source.triangles.size() != mesh.triangles().size()) return "not every triangle has a line.";
     for (const TriangleOrigin& origin : source.triangles) {
         std::string_view text = text_from_line(source, origin.line);
-        const std::string_view word = take_word(text);
+        std::string_view word = take_word(text);
+        if (word.ends_with('\\')) word.remove_suffix(1); // the line goes on below
         if (word != "f" && word != "fo") return "a triangle is from a line without a face.";
         for (const int index : origin.corners) {
             if (index < 0 || static_cast<std::size_t>(index) >= source.corners.size())
