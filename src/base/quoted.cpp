@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <utf8.h>
+#include <utf8cpp/utf8.h>
 
 namespace rasterwalk {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <utf8.h>
+#include <utf8cpp/utf8.h>
 
 #include "base/numbers.h"
 

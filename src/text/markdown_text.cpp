@@ -4,7 +4,7 @@
 #include <charconv>
 #include <iterator>
 
-#include <utf8.h>
+#include <utf8cpp/utf8.h>
 
 #include "base/text_parts.h"
 #include "text/math.h"

@@ -18,8 +18,8 @@
 #include "support/textured_scene.h"
 #include "tests/support/catch.h"
 #include "ui/hosts/host_opengl.h"
+#include "ui/hosts/memory_context.h"
 #include "ui/hosts/opengl_drawing.h"
-#include "ui/hosts/osmesa_context.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
@@ -158,8 +158,8 @@ TEST_CASE("Bytes that are no task are an error, and never a crash") {
     settings.viewport = {16, 12};
     const std::string good = bytes_of(opengl_task(scene, settings));
     REQUIRE(bytes_of(opengl_task_from(good)) == good);
-    OsmesaContext context({1, 1}, 0);
-    context.make_current();
+    const auto context = make_memory_context({1, 1}, 0);
+    context->enter();
     OpenGlDrawing drawing;
     FastPicture picture;
     Random random(5);

@@ -1,6 +1,7 @@
 #!/bin/sh
-# check_libraries.sh WINDOW_PROGRAM OSMESA_PROGRAM...
-# The window's program has libGL and no libOSMesa; the others have libOSMesa, and neither libGL nor GLFW.
+# check_libraries.sh osmesa|egl WINDOW_PROGRAM MEMORY_PROGRAM...
+# The window's program has libGL and no libOSMesa. The others have libOSMesa, or libEGL and libOpenGL, and neither the
+# other nor libGL nor GLFW.
 set -eu
 fault=0
 
@@ -13,14 +14,18 @@ expect() { # program, library, yes or no
   fi
 }
 
+osmesa=yes egl=no
+if [ "$1" = egl ]; then osmesa=no egl=yes; fi
+shift
 libraries=$(ldd "$1")
 expect "$1" "lib(GL|OpenGL)" yes
 expect "$1" libOSMesa no
 shift
 for program in "$@"; do
   libraries=$(ldd "$program")
-  expect "$program" libOSMesa yes
-  expect "$program" "lib(GL|OpenGL|GLX)" no
+  expect "$program" libOSMesa $osmesa
+  expect "$program" "lib(EGL|OpenGL)" $egl
+  expect "$program" "lib(GL|GLX)" no
   expect "$program" libglfw no
 done
 exit $fault

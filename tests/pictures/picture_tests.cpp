@@ -1,13 +1,13 @@
 // Draws the pictures of shots.txt, and one of each lesson, and compares them with the blessed ones,
 // or blesses them.
 //
-//     picture_tests [--bless] [--list] [--shots=FILE] [--others=FOLDER] [NAME...]
+//     picture_tests [--bless] [--list] [--shots=FILE] [--others=FOLDER] [--by=PROGRAM] [NAME...]
 //
 // NAME is a picture's file name without folder and ".png"; without names all are meant. FILE stands
 // for shots.txt and the lessons. FOLDER holds the pictures that this version of Dear ImGui draws
-// differently from the first version, which drew all others. Exit codes: 0 all are as expected, 1 a
-// picture differs, is missing or could not be taken, 2 wrong usage, 4 could not read or write. The
-// last line names those that failed.
+// differently from the first version, which drew all others. PROGRAM takes the pictures in place of
+// rasterwalk-offscreen. Exit codes: 0 all are as expected, 1 a picture differs, is missing or could
+// not be taken, 2 wrong usage, 4 could not read or write. The last line names those that failed.
 
 #include <algorithm>
 #include <cctype>
@@ -35,7 +35,10 @@ namespace fs = std::filesystem;
 
 const fs::path root = RASTERWALK_ROOT;
 const fs::path shots_path = root / "tests/pictures/shots.txt";
-const fs::path failed_folder = root / "tests/failed";
+
+/// What takes the pictures, and where those that failed go, from the root.
+std::string program = RASTERWALK_OFFSCREEN;
+fs::path failed_folder = "tests/failed";
 
 struct Shot {
     std::string name;
@@ -108,9 +111,9 @@ void read_shots(const fs::path& path, std::vector<Shot>& shots) {
     }
 }
 
-/// Calls rasterwalk-offscreen. Returns its exit code.
+/// Calls the program. Returns its exit code.
 int take_picture(const Shot& shot, const fs::path& output) {
-    std::vector<std::string> words{RASTERWALK_OFFSCREEN, "-o", output.string()};
+    std::vector<std::string> words{program, "-o", output.string()};
     words.insert(words.end(), shot.arguments.begin(), shot.arguments.end());
     std::vector<char*> arguments;
     for (std::string& word : words)
@@ -126,7 +129,7 @@ int take_picture(const Shot& shot, const fs::path& output) {
 }
 
 fs::path failed_path(const Shot& shot, const char* what) {
-    return failed_folder / (shot.name + "." + what + ".png");
+    return root / failed_folder / (shot.name + "." + what + ".png");
 }
 
 void remove_failed(const Shot& shot) {
@@ -176,8 +179,9 @@ void bless(const Shot& shot, const Image& actual) {
 bool check(const Shot& shot, const Image& actual) {
     const std::string other = other_path(shot), path = is_there(other) ? other : shot.path;
     if (!is_there(path)) {
-        std::cout << shot.name << ": there is no picture " << path << " yet. Look at tests/failed/"
-                  << shot.name << ".actual.png and bless it with ./test --bless.\n";
+        std::cout << shot.name << ": there is no picture " << path << " yet. Look at "
+                  << failed_folder.string() << '/' << shot.name
+                  << ".actual.png and bless it with ./test --bless.\n";
         return false;
     }
     const Image expected = read_image((root / path).string());
@@ -190,8 +194,8 @@ bool check(const Shot& shot, const Image& actual) {
     write_png(difference_image(actual, expected, interface_tolerance),
               failed_path(shot, "difference").string());
     std::cout << shot.name << " differs from " << path << ".\n"
-              << describe_difference(actual, expected, interface_tolerance) << "  See tests/failed/"
-              << shot.name
+              << describe_difference(actual, expected, interface_tolerance) << "  See "
+              << failed_folder.string() << '/' << shot.name
               << ".{actual,expected,difference}.png; ./test --bless accepts the new picture.\n";
     return false;
 }
@@ -199,7 +203,7 @@ bool check(const Shot& shot, const Image& actual) {
 /// Returns true if all went well.
 bool process(const Shot& shot, bool is_blessing) {
     remove_failed(shot);
-    fs::create_directories(failed_folder);
+    fs::create_directories(root / failed_folder);
     const fs::path path = failed_path(shot, "actual");
     const int exit_code = take_picture(shot, path);
     if (exit_code != 0) {
@@ -226,7 +230,8 @@ bool succeeds(const Shot& shot, bool is_blessing) {
 
 int run(const std::vector<std::string>& words) {
     bool is_blessing = false, is_listing = false;
-    constexpr std::string_view shots_option = "--shots=", others_option = "--others=";
+    constexpr std::string_view shots_option = "--shots=", others_option = "--others=",
+                               program_option = "--by=";
     std::vector<Shot> shots;
     std::vector<std::string> names;
     for (const std::string& word : words) {
@@ -238,6 +243,9 @@ int run(const std::vector<std::string>& words) {
             read_shots(word.substr(shots_option.size()), shots);
         } else if (word.starts_with(others_option)) {
             others_folder = word.substr(others_option.size());
+        } else if (word.starts_with(program_option)) {
+            program = word.substr(program_option.size());
+            failed_folder /= fs::path(program).filename();
         } else {
             names.push_back(word);
         }

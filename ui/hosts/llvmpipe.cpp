@@ -1,8 +1,11 @@
 #include "ui/hosts/llvmpipe.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/vec3.hpp>
@@ -10,8 +13,8 @@
 #include "base/error.h"
 #include "engines/workload.h"
 #include "ui/hosts/llvmpipe_shaders.h"
+#include "ui/hosts/memory_context.h"
 #include "ui/hosts/opengl_program.h"
-#include "ui/hosts/osmesa_context.h"
 
 namespace rasterwalk {
 
@@ -64,10 +67,10 @@ LlvmpipeDrawing::LlvmpipeDrawing(const PeerTask& task, const Scene& scene)
     // With 0 it draws on the calling thread.
     setenv("LP_NUM_THREADS", task.threads == 1 ? "0" : std::to_string(task.threads).c_str(), 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    context_ = std::make_unique<OsmesaContext>(size_, depth_bits);
-    context_->make_current();
+    context_ = make_memory_context(size_, depth_bits);
+    context_->enter();
     if (!name().starts_with("llvmpipe"))
-        throw AccessError(fmt::format("OSMesa uses {} here, not llvmpipe.", name()));
+        throw AccessError(fmt::format("OpenGL is {} here, not llvmpipe.", name()));
     const SurfaceFacts facts = surface_facts(scene);
     const GLuint program =
         linked_program(shader_texts(task.workload, facts), {attribute_names, {}});
@@ -112,7 +115,16 @@ Milliseconds LlvmpipeDrawing::time_pictures(int first, int count) {
 
 EnginePicture LlvmpipeDrawing::picture(int number) {
     draw(number);
-    return {size_, context_->pixels()};
+    const auto width = static_cast<std::ptrdiff_t>(size_.width);
+    std::vector<std::uint32_t> colour(static_cast<std::size_t>(size_.width) *
+                                      static_cast<std::size_t>(size_.height));
+    glReadPixels(0, 0, size_.width, size_.height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                 colour.data());
+    // OpenGL counts rows from below.
+    for (auto top = colour.begin(), bottom = colour.end() - width; top < bottom;
+         top += width, bottom -= width)
+        std::swap_ranges(top, top + width, bottom);
+    return {size_, std::move(colour)};
 }
 
 } // namespace rasterwalk

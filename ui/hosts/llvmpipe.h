@@ -8,12 +8,11 @@
 #include "engines/llvmpipe_peer.h"
 #include "engines/timed_engine.h"
 #include "scene/scene.h"
+#include "ui/hosts/opengl_context.h"
 
 namespace rasterwalk {
 
-class OsmesaContext;
-
-/// The workload of a task, drawn by llvmpipe into memory, through OSMesa: vertices in one buffer,
+/// The workload of a task, drawn by llvmpipe into memory: vertices in one buffer,
 /// light by shaders of GLSL 1.30, a depth buffer of 24 bits, nothing culled. Only one at a time,
 /// because the environment sets how many threads llvmpipe has. Throws AccessError.
 class LlvmpipeDrawing final : public TimedEngine {
@@ -33,7 +32,7 @@ class LlvmpipeDrawing final : public TimedEngine {
 
     Viewport size_;
     Settings settings_;
-    std::unique_ptr<OsmesaContext> context_;
+    std::unique_ptr<OpenGlContext> context_;
     int indices_ = 0; ///< three for each triangle
     int lamp_ = -1;   ///< where the shaders take its position
 };

@@ -22,8 +22,8 @@
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "ui/hosts/llvmpipe.h"
+#include "ui/hosts/memory_context.h"
 #include "ui/hosts/opengl_drawing.h"
-#include "ui/hosts/osmesa_context.h"
 
 namespace rasterwalk {
 
@@ -73,8 +73,8 @@ std::string announced_bytes(const std::string& line) {
 
 /// Draws whatever it is asked to draw with OpenGL.
 void run_opengl() {
-    OsmesaContext context({1, 1}, 0);
-    context.make_current();
+    const auto context = make_memory_context({1, 1}, 0);
+    context->enter();
     OpenGlDrawing drawing;
     FastPicture picture;
     std::cout << "ready " << drawing.name() << std::endl;

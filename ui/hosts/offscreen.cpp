@@ -1,14 +1,15 @@
 #include "ui/hosts/offscreen.h"
 
+#include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <string_view>
 #include <thread>
 #include <utility>
 
-#include <GL/osmesa.h>
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -25,43 +26,28 @@
 #include "ui/hosts/gl2.h"
 #include "ui/hosts/host_opengl.h"
 #include "ui/hosts/made_times.h"
+#include "ui/hosts/memory_context.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// Memory that OpenGL draws to.
-class MemoryContext {
-  public:
-    MemoryContext(int width, int height)
-        : context_(OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)),
-          pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
-        const bool is_current =
-            context_ != nullptr &&
-            OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_TRUE;
-        const bool is_large_enough = is_current && largest_gl2_side() >= std::max(width, height);
-        if (is_large_enough) return;
-        if (context_ != nullptr) OSMesaDestroyContext(context_);
-        throw AccessError(is_current
-                              ? "a window of " + std::to_string(width) + " x " +
-                                    std::to_string(height) + " pixels is more than OSMesa can draw."
-                              : "OSMesa cannot be started.");
-    }
-    ~MemoryContext() { OSMesaDestroyContext(context_); }
-    MemoryContext(const MemoryContext&) = delete;
-    MemoryContext& operator=(const MemoryContext&) = delete;
-
-  private:
-    OSMesaContext context_;
-    std::vector<std::uint8_t> pixels_;
-};
+/// A context that is current, with a picture in memory. Throws AccessError.
+std::unique_ptr<OpenGlContext> entered_memory(int width, int height) {
+    auto context = make_memory_context({width, height}, 0);
+    context->enter();
+    if (largest_gl2_side() >= std::max(width, height)) return context;
+    throw AccessError(fmt::format("a window of {} x {} pixels is more than OpenGL can draw here.",
+                                  width, height));
+}
 
 /// The interface with everything around it.
 class Screen {
   public:
     Screen(Session session, const OffscreenOptions& options)
-        : context_(options.width, options.height), width_(options.width), height_(options.height) {
+        : context_(entered_memory(options.width, options.height)), width_(options.width),
+          height_(options.height) {
         ui.session = std::move(session);
         ui.reading.patience = std::chrono::hours(1); // the picture shows what was opened
         ui.mine.search =
@@ -101,7 +87,7 @@ class Screen {
         ui.ladder.processor = std::move(made.processor);
     }
 
-    MemoryContext context_;
+    std::unique_ptr<OpenGlContext> context_;
     HostOpenGl opengl_;
     UsedOpenGl used_{opengl_};
     Gl2Textures textures_;

@@ -1,10 +1,12 @@
-#include "ui/hosts/osmesa_context.h"
-
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <GL/osmesa.h>
 
 #include "base/error.h"
-#include "ui/hosts/opengl_context.h"
+#include "ui/hosts/memory_context.h"
 
 namespace rasterwalk {
 
@@ -26,52 +28,52 @@ struct CurrentContext {
 
 class OsmesaOpenGlContext final : public OpenGlContext {
   public:
+    OsmesaOpenGlContext(Viewport size, int depth_bits) : size_(size) {
+        const std::array attributes{OSMESA_FORMAT,
+                                    OSMESA_BGRA,
+                                    OSMESA_DEPTH_BITS,
+                                    depth_bits,
+                                    OSMESA_STENCIL_BITS,
+                                    0,
+                                    OSMESA_PROFILE,
+                                    OSMESA_COMPAT_PROFILE,
+                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                    3,
+                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    0,
+                                    0};
+        pixels_.resize(static_cast<std::size_t>(size.width) *
+                       static_cast<std::size_t>(size.height));
+        context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+        if (context_ == nullptr) throw AccessError("OSMesa cannot be started.");
+    }
+    ~OsmesaOpenGlContext() override { OSMesaDestroyContext(context_); }
+    OsmesaOpenGlContext(const OsmesaOpenGlContext&) = delete;
+    OsmesaOpenGlContext& operator=(const OsmesaOpenGlContext&) = delete;
+
     void enter() override {
         previous_ = CurrentContext();
-        own_.make_current();
+        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size_.width,
+                              size_.height) != GL_TRUE)
+            throw AccessError("OSMesa cannot be started.");
     }
     void leave() override { previous_.make_current(); }
 
   private:
-    /// What is drawn goes to a framebuffer object: OSMesa's own memory is not used.
-    OsmesaContext own_{{1, 1}, 0};
+    Viewport size_;
+    std::vector<std::uint32_t> pixels_;
+    OSMesaContext context_ = nullptr;
     CurrentContext previous_;
 };
 
 } // namespace
 
-OsmesaContext::OsmesaContext(Viewport size, int depth_bits) : size_(size) {
-    const std::array attributes{OSMESA_FORMAT,
-                                OSMESA_BGRA,
-                                OSMESA_DEPTH_BITS,
-                                depth_bits,
-                                OSMESA_STENCIL_BITS,
-                                0,
-                                OSMESA_PROFILE,
-                                OSMESA_COMPAT_PROFILE,
-                                OSMESA_CONTEXT_MAJOR_VERSION,
-                                3,
-                                OSMESA_CONTEXT_MINOR_VERSION,
-                                0,
-                                0};
-    pixels_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-    if (context_ == nullptr) throw AccessError("OSMesa cannot be started.");
-}
-
-OsmesaContext::~OsmesaContext() {
-    OSMesaDestroyContext(context_);
-}
-
-void OsmesaContext::make_current() {
-    if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size_.width, size_.height) !=
-        GL_TRUE)
-        throw AccessError("OSMesa cannot be started.");
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
+std::unique_ptr<OpenGlContext> make_memory_context(Viewport size, int depth_bits) {
+    return std::make_unique<OsmesaOpenGlContext>(size, depth_bits);
 }
 
 std::unique_ptr<OpenGlContext> make_opengl_context() {
-    return std::make_unique<OsmesaOpenGlContext>();
+    return make_memory_context({1, 1}, 0); // it draws to a framebuffer object of its own
 }
 
 } // namespace rasterwalk

@@ -15,9 +15,10 @@ namespace rasterwalk {
 
 namespace {
 
-const char* const font_folders[] = {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",
-                                    "/usr/share/fonts/dejavu/",
-                                    "/usr/share/fonts/dejavu-sans-fonts/"};
+/// Of Debian, Arch, others, and Fedora.
+const char* const font_folders[] = {
+    "/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/", "/usr/share/fonts/dejavu/",
+    "/usr/share/fonts/dejavu-sans-fonts/", "/usr/share/fonts/dejavu-sans-mono-fonts/"};
 
 bool is_font_file(const std::string& path) {
     std::error_code fault;
@@ -25,16 +26,19 @@ bool is_font_file(const std::string& path) {
     return !fault && size > 10'000;
 }
 
-/// The first folder that holds all the fonts; ImGui aborts on a missing file or one that is not a
-/// font.
-std::string find_font_folder() {
+/// The file in the first folder that has it; empty: ImGui aborts on a missing file or one that is
+/// not a font.
+std::string font_path(const char* name) {
     for (const char* folder : font_folders) {
-        bool complete = true;
-        for (const char* name : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"})
-            complete = complete && is_font_file(std::string(folder) + name);
-        if (complete) return folder;
+        std::string path = std::string(folder) + name;
+        if (is_font_file(path)) return path;
     }
     return {};
+}
+
+bool are_fonts_there() {
+    return !font_path("DejaVuSans.ttf").empty() && !font_path("DejaVuSans-Bold.ttf").empty() &&
+           !font_path("DejaVuSansMono.ttf").empty();
 }
 
 struct FontFile {
@@ -54,15 +58,15 @@ constexpr std::array font_files{FontFile{"DejaVuSans.ttf", 16.0f, &Fonts::text},
 
 /// What an atlas is made from.
 struct FontSizes {
-    std::string folder;                           ///< of the files; empty: the built-in font
+    bool is_built_in;                             ///< the fonts are not installed
     std::array<float, font_files.size()> sizes{}; ///< of the letters, screen pixels
 
     friend bool operator==(const FontSizes&, const FontSizes&) = default;
 };
 
 FontSizes sizes_for(float text_scale, float least) {
-    FontSizes wanted{find_font_folder(), {}};
-    for (std::size_t i = 0; i < font_files.size() && !wanted.folder.empty(); ++i)
+    FontSizes wanted{!are_fonts_there(), {}};
+    for (std::size_t i = 0; i < font_files.size() && !wanted.is_built_in; ++i)
         wanted.sizes[i] = std::round(std::max(font_files[i].size * text_scale, least));
     return wanted;
 }
@@ -72,7 +76,7 @@ Fonts make_fonts(const FontSizes& wanted) {
     fonts.atlas = std::make_shared<ImFontAtlas>();
     ImFontAtlas& atlas = *fonts.atlas;
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-    if (wanted.folder.empty()) {
+    if (wanted.is_built_in) {
         ImFont* const built_in = atlas.AddFontDefault();
         for (const FontFile& file : font_files)
             fonts.*file.font = built_in;
@@ -84,10 +88,10 @@ Fonts make_fonts(const FontSizes& wanted) {
     static constexpr ImWchar ranges[] = {0x0020, 0x017F, 0x0302, 0x0302, 0x0391, 0x03C9, 0x2010,
                                          0x2044, 0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF,
                                          0x25A0, 0x25FF, 0x2713, 0x2718, 0x27E8, 0x27E9, 0};
-    for (std::size_t i = 0; i < font_files.size() && !wanted.folder.empty(); ++i) {
+    for (std::size_t i = 0; i < font_files.size() && !wanted.is_built_in; ++i) {
         const FontFile& file = font_files[i];
-        const std::string path = wanted.folder + file.name;
-        if (!is_font_file(path)) continue;
+        const std::string path = font_path(file.name);
+        if (path.empty()) continue;
         ImFontConfig config;
         config.OversampleH = config.OversampleV = 1;
         fonts.*file.font = atlas.AddFontFromFileTTF(path.c_str(), wanted.sizes[i], &config, ranges);

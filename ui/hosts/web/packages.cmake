@@ -26,7 +26,7 @@ rasterwalk_source(md4c_folder md4c-*/src/md4c.c)
 # Headers that need no library, without the rest of /usr/include, which belongs to the system.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
-foreach(name toml++ glm CLI nlohmann utf8 utf8.h)
+foreach(name toml++ glm CLI nlohmann utf8cpp)
   file(CREATE_LINK /usr/include/${name} ${headers}/${name} SYMBOLIC)
 endforeach()
 include_directories(SYSTEM ${headers})

@@ -89,7 +89,7 @@ inline std::uint32_t unwind(void* context, std::uint64_t* places, std::uint32_t 
     return count;
 }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__aarch64__)
 /// A call that the guard refused: it is written down, and fails as any call may fail.
 inline void refuse(const siginfo_t* info, ucontext_t* context) {
     std::uint64_t place = 0;
@@ -103,13 +103,17 @@ inline void refuse(const siginfo_t* info, ucontext_t* context) {
         ++entry.count;
         break;
     }
+#if defined(__x86_64__)
     context->uc_mcontext.gregs[REG_RAX] = -EPERM;
+#else
+    context->uc_mcontext.regs[0] = static_cast<std::uint64_t>(-EPERM);
+#endif
 }
 #endif
 
 inline void handle(int signal, siginfo_t* info, void* context) {
     const int kept_errno = errno;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__aarch64__)
     if (signal == SIGSYS && info->si_code == refused_by_filter) {
         refuse(info, static_cast<ucontext_t*>(context));
         errno = kept_errno;
