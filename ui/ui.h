@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/language.h"
 #include "session/results.h"
 #include "session/session.h"
 #include "ui/actions/background_load_state.h"
@@ -37,6 +38,12 @@ struct SceneEntry {
     std::string title; ///< its name, or the file's if the scene cannot be read
 };
 
+/// A language that the window can be in.
+struct LanguageChoice {
+    std::string code; ///< empty: English
+    std::string name; ///< in the language itself
+};
+
 /// The interface: what the student sets (session), what follows from it (results), and the state of
 /// the screen alone.
 struct Ui {
@@ -46,6 +53,8 @@ struct Ui {
     UiOptions options;
     UiOptions kept_options; ///< as this window last read or wrote them
     KeptFile options_file;
+    std::vector<LanguageChoice> language_choices; ///< at least English, after the first frame
+    Language language;                            ///< of the texts, read as the options ask for it
     HostState host;
     Fonts fonts;
     bool style_is_stale = true; ///< theme or text size changed: style and fonts must be made again

@@ -2,18 +2,17 @@
 
 namespace rasterwalk {
 
-std::string element_name(std::string_view form, int index) {
-    std::string name(form);
+std::string element_name(std::string_view form, int index, const Language& language) {
+    std::string name(tr(form, language));
     if (const std::size_t at = name.find('#'); at != name.npos) {
         name.replace(at, 1, std::to_string(index));
     }
     return name;
 }
 
-std::string element_name_of(std::string_view form, int index, int count) {
-    std::string name = element_name(form, index);
-    if (form.ends_with(']')) name.append(" of ").append(std::to_string(count));
-    return name;
+std::string element_name_of(std::string_view form, int index, int count, const Language& language) {
+    const std::string name = element_name(form, index, language);
+    return form.ends_with(']') ? tr(language, "{} of {}", name, count) : name;
 }
 
 std::string triangle_name(int triangle) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/language.h"
+
 namespace rasterwalk {
 
 /// How a name is written; '#' is where the number goes. Pieces that a program keeps in an array
@@ -24,12 +26,13 @@ inline constexpr std::string_view picture_row_form =
     "row #"; ///< of the picture, when it is resolved
 inline constexpr std::string_view picture_column_form = "column #"; ///< of such a row
 
-/// The name with its number; a form without a '#' unchanged.
-std::string element_name(std::string_view form, int index);
+/// The name with its number in a language; a form without a '#' has none.
+std::string element_name(std::string_view form, int index, const Language& language = english());
 
 /// The same with the count: "line[4] of 11". Only names with brackets get it: "edge 1 of 3" would
 /// read as if it counted from 1, so it is just "edge 1".
-std::string element_name_of(std::string_view form, int index, int count);
+std::string element_name_of(std::string_view form, int index, int count,
+                            const Language& language = english());
 
 std::string triangle_name(int triangle);       ///< "triangles[29]"
 std::string vertex_name(int vertex);           ///< "vertices[0]"

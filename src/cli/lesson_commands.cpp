@@ -10,7 +10,9 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/language.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "cli/json.h"
 #include "cli/prose_files.h"
 #include "facts/facts.h"
@@ -23,6 +25,7 @@
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
 #include "lessons/task_luck.h"
+#include "lessons/translation_check.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -58,10 +61,16 @@ std::vector<std::string> files_in(const fs::path& folder) {
     }
     if (fault) throw AccessError("cannot read '" + folder.string() + "': " + fault.message() + ".");
     std::sort(files.begin(), files.end());
-    for (const char* const below : {"models", "scenes"}) {
+    std::vector<fs::path> folders{folder / "models", folder / "scenes"};
+    for (const std::string& code : language_codes(folder.string())) {
+        const fs::path texts = texts_file(folder.string(), code);
+        folders.push_back(texts.parent_path());
+        files.push_back(texts.string());
+    }
+    for (const fs::path& below : folders) {
         std::error_code ignored;
-        if (!fs::is_directory(folder / below, ignored)) continue;
-        for (std::string& file : files_in(folder / below))
+        if (!fs::is_directory(below, ignored)) continue;
+        for (std::string& file : files_in(below))
             files.push_back(std::move(file));
     }
     return files;
@@ -155,6 +164,17 @@ int check_file(const std::string& path, FileCheck& check) {
         options.file = path;
         return read([&] { open_view(options); });
     }
+    if (name == "texts.toml" && is_translation(path)) {
+        int faults = 0;
+        const int refused = read([&] {
+            for (const Fault& fault : text_faults(path)) {
+                check.progress.clear();
+                check.out << fmt::format("{}:{}: {}\n", path, fault.line, fault.sentence);
+                ++faults;
+            }
+        });
+        return faults + refused;
+    }
     if (name.ends_with(".toml")) return read([&] { read_scene_file(path); });
     if (is_model_file(name)) {
         int faults = 0;
@@ -168,10 +188,11 @@ int check_file(const std::string& path, FileCheck& check) {
         return faults + refused;
     }
     const Lesson lesson = read_lesson(path);
-    const std::vector<Fault> faults =
+    std::vector<Fault> faults =
         check_lesson(lesson, check.session, check.trial, [&](const std::string& part) {
             check.progress.say(fmt::format("Checking {}: {}", name, part));
         });
+    if (faults.empty() && is_translation(path)) faults = differences_from_english(lesson);
     check.progress.clear();
     for (const Fault& fault : faults)
         check.out << fault_text(lesson, fault) << '\n';
@@ -206,6 +227,27 @@ int print_advice(const std::vector<std::string>& files, const Session& session, 
         }
     }
     return count;
+}
+
+/// Prints what the languages among these files still lack: how much, or all of it.
+void print_gaps(const std::vector<std::string>& files, bool prints_all, std::ostream& out) {
+    for (const std::string& file : files) {
+        if (fs::path(file).filename() != "texts.toml" || !is_translation(file)) continue;
+        const fs::path folder = fs::path(file).parent_path();
+        const TranslationGaps gaps =
+            translation_gaps(lessons_folder_of(file), folder.filename().string());
+        const auto translated = [](int all, const std::vector<std::string>& missing) {
+            return fmt::format("{} of {}", all - static_cast<int>(missing.size()), all);
+        };
+        out << fmt::format("{}: {} texts and {} lessons are translated.\n", folder.string(),
+                           translated(gaps.all_texts, gaps.texts),
+                           translated(gaps.all_lessons, gaps.lessons));
+        if (!prints_all) continue;
+        for (const std::string& text : gaps.texts)
+            out << "    " << in_quotes(text) << '\n';
+        for (const std::string& lesson : gaps.lessons)
+            out << "    " << lesson << '\n';
+    }
 }
 
 /// The largest file whose style is checked, bytes.
@@ -253,6 +295,7 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     for (const std::string& file : files)
         faults += options.style ? check_style(file, check) : check_file(file, check);
     progress.clear();
+    if (faults == 0 && !options.style) print_gaps(files, options.advice, out);
     const int advice = options.advice ? print_advice(files, check.session, out) : 0;
     const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {

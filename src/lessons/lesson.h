@@ -132,7 +132,7 @@ struct LessonFootnote {
 struct Lesson {
     std::string id;     ///< the file's name without .md: `07-painters-order`
     std::string path;   ///< of the file
-    std::string folder; ///< that it is in; scenes and pictures are found from there
+    std::string folder; ///< of lessons; scenes and pictures are found from there
     std::string title;
     std::string section; ///< of the lab
     int minutes = 0;

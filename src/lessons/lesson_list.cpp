@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/language.h"
 #include "session/content.h"
 
 namespace rasterwalk {
@@ -47,15 +48,22 @@ std::vector<LessonList::LessonFile> LessonList::files_in_folder() const {
     std::error_code fault;
     for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end;
          entry.increment(fault)) {
-        if (!is_lesson_file(entry->path().filename().string())) continue;
-        const std::string path = entry->path().string();
+        const std::string name = entry->path().filename().string();
+        if (!is_lesson_file(name)) continue;
+        std::string path = entry->path().string();
+        if (!language_.empty()) {
+            const std::string translated = translated_lesson(folder_, language_, name);
+            std::error_code ignored;
+            if (fs::is_regular_file(translated, ignored)) path = translated;
+        }
         files.push_back({path, file_state(path)});
     }
+    const auto id_of = [](const LessonFile& file) { return fs::path(file.path).stem().string(); };
     std::sort(files.begin(), files.end(),
-              [](const LessonFile& a, const LessonFile& b) { return a.path < b.path; });
+              [&](const LessonFile& a, const LessonFile& b) { return id_of(a) < id_of(b); });
     if (files.size() > most_lessons) files.resize(most_lessons);
     const auto order_of = [&](const LessonFile& file) {
-        return place_in(course_, fs::path(file.path).stem().string()).order;
+        return place_in(course_, id_of(file)).order;
     };
     std::stable_sort(files.begin(), files.end(), [&](const LessonFile& a, const LessonFile& b) {
         return order_of(a) < order_of(b);
@@ -106,6 +114,11 @@ void LessonList::read_folder(const std::string& folder) {
     lessons_.clear();
     course_ = {};
     refresh();
+}
+
+void LessonList::set_language(const std::string& code) {
+    language_ = code;
+    if (is_read_) refresh();
 }
 
 const std::vector<Lesson>& LessonList::all() {

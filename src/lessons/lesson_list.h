@@ -37,6 +37,10 @@ class LessonList {
     /// has none.
     void read_folder(const std::string& folder);
 
+    /// From now on, a lesson that is translated into this language is read from there.
+    /// @param code empty: English
+    void set_language(const std::string& code);
+
     /// The course that orders the lessons; without tracks if the folder has none.
     const Course& course();
 
@@ -59,6 +63,7 @@ class LessonList {
     bool is_read_ = false;
     std::uint64_t number_ = 0;
     std::string folder_;
+    std::string language_;          ///< its code; empty: English
     std::vector<LessonFile> files_; ///< with the same index as lessons_
     std::vector<Lesson> lessons_;
     Course course_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/faults.h"
+#include "base/language.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "base/text_parts.h"
@@ -30,9 +31,8 @@ class Reader {
     Reader(std::string_view text, const std::string& path)
         : lines_(split_lines(text)), faults_(path) {
         lesson_.path = path;
-        const std::filesystem::path file(path);
-        lesson_.folder = file.parent_path().string();
-        lesson_.id = file.stem().string();
+        lesson_.folder = lessons_folder_of(path);
+        lesson_.id = std::filesystem::path(path).stem().string();
         begin_step("", 1);
     }
 

@@ -36,9 +36,9 @@ int pass_of(const Cursor& cursor, const Settings& settings, SceneSpace space) {
     return cursor.pass < first_pass(settings, space) ? 0 : std::min(cursor.pass, 0);
 }
 
-std::string pass_name(int pass) {
-    return std::string("shadow map, face ") +
-           shadow_face_names[static_cast<std::size_t>(face_of_pass(pass))];
+std::string pass_name(int pass, const Language& language) {
+    return tr(language, "shadow map, face {}",
+              shadow_face_names[static_cast<std::size_t>(face_of_pass(pass))]);
 }
 
 Settings settings_of_pass(const Settings& settings, int pass) {

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "base/language.h"
 #include "pipeline/frame.h"
 
 namespace rasterwalk {
@@ -37,7 +38,7 @@ int first_pass(const Settings& settings, SceneSpace space);
 int pass_of(const Cursor& cursor, const Settings& settings, SceneSpace space);
 
 /// What is drawn in a pass before the picture: "shadow map, face +x".
-std::string pass_name(int pass);
+std::string pass_name(int pass, const Language& language = english());
 
 /// The settings of the frame that is drawn in a pass, for a picture with these settings.
 /// @param pass first_pass() to 0

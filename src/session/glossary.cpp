@@ -41,9 +41,9 @@ std::vector<Term> read_glossary(const std::string& path) {
     return parse_glossary(read_file(path), path);
 }
 
-std::string section_words(std::string_view section) {
+std::string section_words(std::string_view section, const Language& language) {
     const bool is_beyond = section.starts_with("Beyond the lab");
-    return std::string(is_beyond ? "" : "lab: ").append(section);
+    return is_beyond ? std::string(section) : tr(language, "lab: {}", section);
 }
 
 } // namespace rasterwalk

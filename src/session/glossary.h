@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/language.h"
+
 namespace rasterwalk {
 
 /// A word of the lab.
@@ -21,6 +23,6 @@ std::vector<Term> parse_glossary(std::string_view text, const std::string& path)
 
 /// The section of a term, a lesson or a stage in words: "lab: Drawing edges"; one beyond the lab
 /// unchanged, "Beyond the lab: textures".
-std::string section_words(std::string_view section);
+std::string section_words(std::string_view section, const Language& language = english());
 
 } // namespace rasterwalk

@@ -175,44 +175,53 @@ Frame frame_for(const Scene& scene, const Settings& settings, const Cursor& curs
 }
 
 /// "square w12".
-std::string square_name(int square) {
-    return "square " + to_text(moment_of_square(square));
+std::string square_name(int square, const Language& language) {
+    return tr(language, "square {}", to_text(moment_of_square(square)));
 }
 
 /// "column 3", or "columns 0 to 7".
-std::string range_text(const std::string& word, int first, int end) {
-    return end - first == 1 ? fmt::format("{} {}", word, first)
-                            : fmt::format("{}s {} to {}", word, first, end - 1);
+std::string columns_text(int first, int end, const Language& language) {
+    return end - first == 1 ? tr(language, "column {}", first)
+                            : tr(language, "columns {} to {}", first, end - 1);
 }
 
-std::string describe_square(const Frame& frame, int number) {
+std::string rows_text(int first, int end, const Language& language) {
+    return end - first == 1 ? tr(language, "row {}", first)
+                            : tr(language, "rows {} to {}", first, end - 1);
+}
+
+std::string describe_square(const Frame& frame, int number, const Language& language) {
     const WarnockSquare& square = (*frame.squares)[number];
     const Rectangle& pixels = square.pixels;
     std::string text =
-        fmt::format("{} of {}: {}, {} · {}", square_name(number), frame.squares->count(),
-                    range_text("column", pixels.left, pixels.right),
-                    range_text("row", pixels.top, pixels.bottom), words(square.reason).in_short);
+        fmt::format("{}: {}, {} · {}",
+                    tr(language, "{} of {}", square_name(number, language), frame.squares->count()),
+                    columns_text(pixels.left, pixels.right, language),
+                    rows_text(pixels.top, pixels.bottom, language),
+                    tr(words(square.reason).in_short, language));
     if (square.surface < 0) return text;
     return text + fmt::format(": {} ({})", triangle_name(square.surface),
                               part_name(*frame.scene, square.surface));
 }
 
 /// A fragment in a square: no moment of its own.
-std::string describe_in_square(const Frame& frame, const Cursor& cursor) {
+std::string describe_in_square(const Frame& frame, const Cursor& cursor, const Language& language) {
     const PolygonRows& rows = frame.squares->rows(cursor.triangle);
-    return fmt::format("{} · {} ({}) · row {}, {} · {}", square_name(cursor.square),
-                       element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
-                       part_name(*frame.scene, cursor.triangle), rows.first_row + cursor.index,
-                       element_name_of(phase_info(cursor.phase).piece, cursor.index, rows.size()),
-                       element_name_of(phase_info(cursor.phase).step, cursor.step,
-                                       row_span(frame.stages, rows, cursor.index).count));
+    return fmt::format(
+        "{} · {} ({}) · {}, {} · {}", square_name(cursor.square, language),
+        element_name_of(triangle_form, cursor.triangle, frame.triangle_count(), language),
+        part_name(*frame.scene, cursor.triangle),
+        tr(language, "row {}", rows.first_row + cursor.index),
+        element_name_of(phase_info(cursor.phase).piece, cursor.index, rows.size(), language),
+        element_name_of(phase_info(cursor.phase).step, cursor.step,
+                        row_span(frame.stages, rows, cursor.index).count, language));
 }
 
 /// The name of a piece of a phase.
 /// @param count number of all pieces of the phase
-std::string piece_name(const Cursor& cursor, int count) {
-    if (cursor.phase == Phase::clip) return plane_name(cursor.index);
-    return element_name_of(phase_info(cursor.phase).piece, cursor.index, count);
+std::string piece_name(const Cursor& cursor, int count, const Language& language) {
+    if (cursor.phase == Phase::clip) return std::string(tr(plane_name(cursor.index), language));
+    return element_name_of(phase_info(cursor.phase).piece, cursor.index, count, language);
 }
 
 Cursor read_moment(const std::string& text) {
@@ -223,12 +232,12 @@ Cursor read_moment(const std::string& text) {
                      "t12/e2/s14, t12/b4/c7, t12/r37/c5, s37/c5, w12, p1:t12 or end.");
 }
 
-std::string describe_in_frame(const Frame& frame, const Cursor& cursor) {
-    if (is_square(cursor)) return describe_square(frame, cursor.square);
-    if (cursor.square >= 0) return describe_in_square(frame, cursor);
+std::string describe_in_frame(const Frame& frame, const Cursor& cursor, const Language& language) {
+    if (is_square(cursor)) return describe_square(frame, cursor.square, language);
+    if (cursor.square >= 0) return describe_in_square(frame, cursor, language);
     if (is_resolve(cursor))
-        return fmt::format("all triangles are drawn · samples become pixels · row {}, column {}",
-                           cursor.index, cursor.step);
+        return tr(language, "all triangles are drawn · samples become pixels · row {}, column {}",
+                  cursor.index, cursor.step);
     const Timeline timeline(frame);
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const PhaseInfo& phase = phase_info(cursor.phase);
@@ -237,18 +246,27 @@ std::string describe_in_frame(const Frame& frame, const Cursor& cursor) {
     const TestedRow box_row = is_test ? tested_row(moments.rows.tested, cursor.index) : TestedRow();
     const int row = is_test ? box_row.row : moments.rows.first_row + cursor.index;
     std::string text = fmt::format(
-        "{} ({}) · {}{}", element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
+        "{} ({}) · {}{}",
+        element_name_of(triangle_form, cursor.triangle, frame.triangle_count(), language),
         part_words(*frame.scene, cursor.triangle),
-        is_row || is_test ? fmt::format("row {}, ", row) : "",
-        piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
+        is_row || is_test ? tr(language, "row {}", row) + ", " : "",
+        piece_name(cursor, static_cast<int>(of_phase.pieces.size()), language));
     if (phase.step.empty()) return text;
-    if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";
+    if (is_row && !has_fragments(frame.settings.stage))
+        return tr(language, "{}: its two ends", text);
     // The whole row, although only the part in the picture has moments; of the box, only the part
     // that is tested.
     const int steps = is_row    ? row_span(frame.stages, moments.rows, cursor.index).count
                       : is_test ? box_row.right - box_row.left
                                 : of_phase.pieces[cursor.index].count;
-    return text + " · " + element_name_of(phase.step, cursor.step, steps);
+    return text + " · " + element_name_of(phase.step, cursor.step, steps, language);
+}
+
+/// Does the frame have this work, or only another run? A fragment in a square has no moment.
+bool is_in_frame(const Frame& frame, Cursor cursor) {
+    cursor.pass = 0;
+    if (frame.squares == nullptr) return cursor != cursor_end && Timeline(frame).exists(cursor);
+    return cursor.square >= 0 && cursor.square < frame.squares->count();
 }
 
 } // namespace
@@ -275,29 +293,32 @@ Cursor existing_moment(const Scene& scene, const Settings& settings, const Curso
     return in_pass(Timeline(frame).at_or_after(in_frame(cursor, frame.pass)), frame.pass);
 }
 
-std::string describe_moment(const Frame& frame, const Cursor& cursor) {
-    if (frame.pass < 0) return pass_name(frame.pass) + " · " + describe_in_frame(frame, cursor);
-    return describe_in_frame(frame, cursor);
+std::string describe_moment(const Frame& frame, const Cursor& cursor, const Language& language) {
+    if (!is_in_frame(frame, cursor)) return moment_name(cursor, language);
+    const std::string text = describe_in_frame(frame, cursor, language);
+    return frame.pass < 0 ? pass_name(frame.pass, language) + " · " + text : text;
 }
 
-std::string describe_square_in_short(const Frame& frame, int square) {
+std::string describe_square_in_short(const Frame& frame, int square, const Language& language) {
     const WarnockSquare& of = (*frame.squares)[square];
-    const std::string text = square_name(square) + " · " + std::string(words(of.reason).in_short);
+    const std::string text = fmt::format("{} · {}", square_name(square, language),
+                                         tr(words(of.reason).in_short, language));
     return of.surface < 0 ? text : text + ": " + triangle_name(of.surface);
 }
 
-std::string moment_name(const Cursor& cursor) {
-    if (cursor == cursor_end) return "end of the frame";
-    if (is_square(cursor)) return square_name(cursor.square);
+std::string moment_name(const Cursor& cursor, const Language& language) {
+    if (cursor == cursor_end) return std::string(tr("end of the frame", language));
+    if (is_square(cursor)) return square_name(cursor.square, language);
     const PhaseInfo& phase = phase_info(cursor.phase);
-    if (is_resolve(cursor))
-        return "samples of " + element_name(phase.piece, cursor.index) + ", " +
-               element_name(phase.step, cursor.step);
-    const std::string piece = cursor.phase == Phase::clip ? plane_name(cursor.index)
-                                                          : element_name(phase.piece, cursor.index);
-    const std::string square = cursor.square >= 0 ? square_name(cursor.square) + ", " : "";
-    const std::string text = square + triangle_name(cursor.triangle) + ", " + piece;
-    return phase.step.empty() ? text : text + ", " + element_name(phase.step, cursor.step);
+    const std::string piece = cursor.phase == Phase::clip
+                                  ? std::string(tr(plane_name(cursor.index), language))
+                                  : element_name(phase.piece, cursor.index, language);
+    const std::string step =
+        phase.step.empty() ? "" : ", " + element_name(phase.step, cursor.step, language);
+    if (is_resolve(cursor)) return tr(language, "samples of {}", piece + step);
+    const std::string square =
+        cursor.square >= 0 ? square_name(cursor.square, language) + ", " : "";
+    return square + triangle_name(cursor.triangle) + ", " + piece + step;
 }
 
 } // namespace rasterwalk

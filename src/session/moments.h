@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/language.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 
@@ -22,18 +23,20 @@ Cursor moment_of(const Scene& scene, const Settings& settings, const Cursor& cur
 /// The moment of a picture, or of a pass before it, at or after a cursor.
 Cursor existing_moment(const Scene& scene, const Settings& settings, const Cursor& cursor);
 
-/// A moment in words, counted from 0: "triangles[20] of 30 (tall block) · edge 1 · line[13] of
-/// 104". A row is named by its place in the picture and in the table. Of a square: "square w12 of
-/// 3021: columns 250 to 311, rows 0 to 61 · one surface: triangles[3] (floor)". In a pass of the
-/// shadow map the face comes first. The moment must exist in the frame and must not be the end;
-/// fragments in squares are described too.
-std::string describe_moment(const Frame& frame, const Cursor& cursor);
+/// A moment in words of a language, counted from 0: "triangles[20] of 30 (tall block) · edge 1 ·
+/// line[13] of 104". A row is named by its place in the picture and in the table. Of a square:
+/// "square w12 of 3021: columns 250 to 311, rows 0 to 61 · one surface: triangles[3] (floor)". In a
+/// pass of the shadow map the face comes first. Fragments in squares are described too. What the
+/// frame does not have, as when only another run does it, gets its moment_name().
+std::string describe_moment(const Frame& frame, const Cursor& cursor,
+                            const Language& language = english());
 
 /// What becomes of a square, without its place: "square w12 · one surface: triangles[3]".
-std::string describe_square_in_short(const Frame& frame, int square);
+std::string describe_square_in_short(const Frame& frame, int square,
+                                     const Language& language = english());
 
 /// The same in short, for any cursor: "triangles[20], edge 1, line[13]"; for the end, "end of the
 /// frame".
-std::string moment_name(const Cursor& cursor);
+std::string moment_name(const Cursor& cursor, const Language& language = english());
 
 } // namespace rasterwalk

@@ -56,13 +56,14 @@ double rate_of(const Speed& speed, double steps) {
     return std::numeric_limits<double>::infinity();
 }
 
-std::string speed_text(const Speed& speed) {
-    if (speed.unit == SpeedUnit::unlimited) return "no limit";
+std::string speed_text(const Speed& speed, const Language& language) {
+    if (speed.unit == SpeedUnit::unlimited) return std::string(tr("no limit", language));
     if (speed.unit == SpeedUnit::steps) {
-        return fmt::format("{:g} {}", speed.value, speed.value == 1.0 ? "step/s" : "steps/s");
+        return speed.value == 1.0 ? std::string(tr("1 step/s", language))
+                                  : tr(language, "{:g} steps/s", speed.value);
     }
-    if (speed.value >= 60.0) return fmt::format("frame in {:g} min", speed.value / 60.0);
-    return fmt::format("frame in {:g} s", speed.value);
+    if (speed.value >= 60.0) return tr(language, "frame in {:g} min", speed.value / 60.0);
+    return tr(language, "frame in {:g} s", speed.value);
 }
 
 std::vector<Speed> speed_dial(double steps) {

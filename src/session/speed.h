@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/enum_words.h"
+#include "base/language.h"
 
 namespace rasterwalk {
 
@@ -39,7 +40,7 @@ Speed speed_in(const Speed& speed, double steps);
 double rate_of(const Speed& speed, double steps);
 
 /// "1 step/s", "frame in 15 s", "frame in 2 min", "no limit".
-std::string speed_text(const Speed& speed);
+std::string speed_text(const Speed& speed, const Language& language = english());
 
 /// The speeds on the dial for a frame of this many steps, from slowest to fastest, each about twice
 /// as fast as the previous one: first steps per second, then the frame by time, last no limit.

@@ -226,9 +226,10 @@ StripRow entries_of_use(const Session& session, const Settings& settings) {
     return row;
 }
 
-bool has_other_words(const StripEntry& entry, const Session& session) {
-    return entry.has_other_words != nullptr &&
-           entry.has_other_words(*session.scene, known_settings(session));
+const StripWords& words_of(const StripEntry& entry, const Session& session) {
+    const bool has_others = entry.has_other_words != nullptr &&
+                            entry.has_other_words(*session.scene, known_settings(session));
+    return has_others ? entry.other_words : entry.words;
 }
 
 } // namespace
@@ -259,17 +260,17 @@ const StripEntry& chosen_entry(const Session& session) {
     });
 }
 
-std::string_view title_of(const StripEntry& entry, const Session& session) {
-    return has_other_words(entry, session) ? entry.other_words.title : entry.words.title;
+std::string title_of(const StripEntry& entry, const Session& session, const Language& language) {
+    return std::string(tr(words_of(entry, session).title, language));
 }
 
-std::string help_of(const StripEntry& entry, const Session& session) {
-    std::string help(has_other_words(entry, session) ? entry.other_words.help : entry.words.help);
+std::string help_of(const StripEntry& entry, const Session& session, const Language& language) {
+    std::string help(tr(words_of(entry, session).help, language));
     const Scene& scene = *session.scene;
     if (entry.group != StripGroup::light) return help;
-    help.pop_back();
-    if (has_texture(scene)) return help + ", without textures.";
-    return help + (has_normal_map(scene) ? ", without normal maps." : ".");
+    const std::string sentence = help.substr(0, help.size() - 1);
+    if (has_texture(scene)) return tr(language, "{}, without textures.", sentence);
+    return has_normal_map(scene) ? tr(language, "{}, without normal maps.", sentence) : help;
 }
 
 StripJoin join_between(const StripEntry& before, const StripEntry& entry) {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/language.h"
+
 namespace rasterwalk {
 
 struct Scene;
@@ -69,9 +71,11 @@ const StripEntry& chosen_entry(const Session& session);
 
 /// Its title in this scene: light at every pixel is called Phong shading only where normals or
 /// colours vary, or a surface shines.
-std::string_view title_of(const StripEntry& entry, const Session& session);
+std::string title_of(const StripEntry& entry, const Session& session,
+                     const Language& language = english());
 /// What it does in this scene.
-std::string help_of(const StripEntry& entry, const Session& session);
+std::string help_of(const StripEntry& entry, const Session& session,
+                    const Language& language = english());
 
 /// How an entry is joined to the one shown before it.
 StripJoin join_between(const StripEntry& before, const StripEntry& entry);

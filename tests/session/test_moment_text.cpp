@@ -95,8 +95,12 @@ TEST_CASE("A moment of clip or cull in words") {
     const Frame frame = prepare_frame(room, settings);
     CHECK(describe_moment(frame, {0, Phase::clip, 0, 2}) ==
           "triangles[0] of 30 (floor) · near plane · edge 2");
-    CHECK(describe_moment(frame, {0, Phase::cull, 0, 0}) ==
-          "triangles[0] of 30 (floor) · front or back");
+    int tested = 0;
+    while (!frame.is_cull_tested(tested))
+        ++tested;
+    const std::string words = describe_moment(frame, {tested, Phase::cull, 0, 0});
+    CHECK(words.starts_with(triangle_name(tested) + " of 30 ("));
+    CHECK(words.ends_with(") · front or back"));
     CHECK(moment_name({0, Phase::clip, 3, 1}) == "triangles[0], right plane, edge 1");
     CHECK(moment_name({0, Phase::clip, 99, 99}) == "triangles[0], plane 99, edge 99");
     CHECK(moment_name({0, Phase::cull, 0, 0}) == "triangles[0], front or back");
@@ -118,6 +122,17 @@ TEST_CASE("A moment has a short name that no decimal can be mistaken for") {
     CHECK(moment_name({0, Phase::vertices, 2, 0}) == "triangles[0], vertices[2]");
     CHECK(moment_name({3, Phase::rows, 37, 5}) == "triangles[3], entry [37], fragments[5]");
     CHECK(moment_name(cursor_end) == "end of the frame");
+}
+
+TEST_CASE("What only another run does is named, not described") {
+    const Scene room = read_scene_file(lessons_folder() + "/scenes/lab-room.toml");
+    const Frame frame = prepare_frame(room, default_settings(room));
+    for (const Cursor& at : {Cursor{3, Phase::edges, 7, 0}, Cursor{3, Phase::edges, 0, 9999},
+                             Cursor{3, Phase::rows, 9999, 0}, Cursor{3, Phase::rows, -1, 0},
+                             Cursor{3, Phase::tests, 2, 5}, Cursor{3, Phase::clip, 9, 1},
+                             Cursor{300, Phase::vertices, 0, 0}, moment_of_square(4),
+                             moment_of_resolve(3, 4), cursor_end})
+        CHECK(describe_moment(frame, at) == moment_name(at));
 }
 
 TEST_CASE("A square of the picture, and a fragment in it, in words") {

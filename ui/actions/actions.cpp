@@ -15,6 +15,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/keys.h"
+#include "ui/widgets/language.h"
 
 namespace rasterwalk {
 
@@ -36,17 +37,20 @@ bool is_pressed(const Chord& chord) {
 std::string key_name(int code) {
     switch (code) {
     case key::escape:
-        return "Esc";
-    case key::space:
-        return "Space";
+        return tr("Esc");
+    case key::space: {
+        // Apart from the stage of this name, which is a different word elsewhere.
+        const std::string name = tr("Space (key)");
+        return name.substr(0, name.find(" ("));
+    }
     case key::home:
-        return "Home";
+        return tr("Home");
     case key::end:
-        return "End";
+        return tr("End");
     case key::page_up:
-        return "Page up";
+        return tr("Page up");
     case key::page_down:
-        return "Page down";
+        return tr("Page down");
     case key::left:
         return "←";
     case key::right:
@@ -68,7 +72,7 @@ std::string key_name(int code) {
 
 std::string with_key(const std::string& help, const Chord& chord) {
     const std::string key = chord_text(chord);
-    return key.empty() ? help : help + "\nKey: " + key;
+    return key.empty() ? help : tr("{}\nKey: {}", help, key);
 }
 
 /// Nothing moves behind the start page.
@@ -100,18 +104,18 @@ const Action& find_action(std::string_view name) {
 
 std::string chord_text(const Chord& chord) {
     if (chord.key == 0) return {};
-    return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") +
-           (chord.shift ? "Shift+" : "") + key_name(chord.key);
+    return std::string(chord.ctrl ? tr("Ctrl+") : "") + (chord.alt ? tr("Alt+") : "") +
+           (chord.shift ? tr("Shift+") : "") + key_name(chord.key);
 }
 
 ActionWords words_of(const Ui& ui, const Action& action) {
     return action.words_now != nullptr ? action.words_now(ui)
-                                       : ActionWords{action.title, action.help};
+                                       : ActionWords{tr(action.title), tr(action.help)};
 }
 
 std::string tooltip_of(std::string_view action) {
     const Action& found = find_action(action);
-    return with_key(found.help, found.chord);
+    return with_key(tr(found.help), found.chord);
 }
 
 std::string tooltip_of(const Ui& ui, std::string_view action) {

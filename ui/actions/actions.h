@@ -28,7 +28,7 @@ struct ActionWords {
 struct Action {
     std::string name;  ///< code and tests find it by this
     std::string menu;  ///< the menu it is in; empty: none
-    std::string title; ///< in the menu
+    std::string title; ///< in the menu, in English, as all texts here
     std::string help;  ///< one sentence
     Chord chord;
     std::function<void(Ui&)> run;
@@ -36,11 +36,11 @@ struct Action {
     bool begins_group = false;                  ///< a line is drawn above it in its menu
     bool is_on_start_page = false;              ///< works there too, as all of File and Help does
     std::function<bool(const Ui&)> is_of_use{}; ///< is it in its menu now? Null: always
-    /// What it is called now; null: the title and the help above.
+    /// What it is called now, in the current language; null: the title and the help above.
     std::function<ActionWords(const Ui&)> words_now{};
 };
 
-/// What the action is called now.
+/// What the action is called now, in the current language.
 ActionWords words_of(const Ui& ui, const Action& action);
 
 /// All actions, in the order of the menus.

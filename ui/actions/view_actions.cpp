@@ -8,6 +8,7 @@
 #include "settings/setting_table.h"
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/language.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
@@ -15,6 +16,7 @@
 #include "ui/actions/strip_doors.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "view/view_state.h"
 
@@ -150,8 +152,8 @@ std::vector<Action> strip_actions() {
             return std::find(usable.begin(), usable.end(), &entry) != usable.end();
         };
         action.words_now = [&entry](const Ui& ui) {
-            return ActionWords{std::string(title_of(entry, ui.session)),
-                               help_of(entry, ui.session)};
+            return ActionWords{title_of(entry, ui.session, current_language()),
+                               help_of(entry, ui.session, current_language())};
         };
         actions.push_back(std::move(action));
     }
@@ -243,6 +245,20 @@ std::vector<Action> view_actions() {
              ui.style_is_stale = true;
          },
          [](const Ui& ui) { return ui.options.theme == Theme::light; }},
+        {.name = "view.language",
+         .menu = "View",
+         .title = "Language",
+         .help = "Goes on to the next language of menus, strip, transport and lessons.",
+         .chord = {},
+         .run = [](Ui& ui) { ui.options.language = next_language(ui).code; },
+         .is_of_use = [](const Ui& ui) { return ui.language_choices.size() > 1; },
+         .words_now =
+             [](const Ui& ui) {
+                 return ActionWords{tr("Language: {}", ui.language.name),
+                                    tr("Goes on to {}: menus, strip, transport and lessons, as far "
+                                       "as they are translated.",
+                                       next_language(ui).name)};
+             }},
     };
     actions.insert(actions.end(), others.begin(), others.end());
     return actions;

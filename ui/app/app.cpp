@@ -11,6 +11,7 @@
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/language.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/measure.h"
 #include "ui/actions/mine.h"
@@ -35,6 +36,7 @@
 #include "ui/widgets/focus.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -278,6 +280,7 @@ void open_ui(Ui& ui, TextureHost& textures) {
 void close_ui(Ui& ui) {
     ImGui::GetIO().Fonts->Locked = false; // where a frame was not finished
     ImGui::DestroyContext();
+    use_language(english());
     ui.host.textures = nullptr;
 }
 
@@ -286,6 +289,7 @@ void build_ui(Ui& ui) {
     io.DisplaySize.x = std::max(io.DisplaySize.x, 1.0f);
     io.DisplaySize.y = std::max(io.DisplaySize.y, 1.0f);
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
+    guarded(ui, [&] { renew_language(ui); });
     guarded(ui, [&] { renew_style(ui); });
     guarded(ui, [&] { poll_diagnosis(ui); });
     guarded(ui, [&] { poll_program_check(ui); });

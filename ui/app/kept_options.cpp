@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/files.h"
+#include "base/language.h"
 #include "base/toml_input.h"
 #include "ui/actions/kept_file.h"
 #include "ui/ui.h"
@@ -37,6 +38,7 @@ UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions thei
     take(&UiOptions::lesson_width);
     take(&UiOptions::inspector_width);
     take(&UiOptions::start_choice);
+    take(&UiOptions::language);
     take(&UiOptions::program);
     theirs.score = merged(before.score, after.score, theirs.score);
     return theirs;
@@ -61,6 +63,7 @@ std::string options_text(const UiOptions& options) {
         table.insert("quiz_rounds", options.score.rounds);
     }
     if (options.start_choice) table.insert("way", word_of(*options.start_choice));
+    if (!options.language.empty()) table.insert("language", options.language);
     if (!options.program.empty()) table.insert("program", options.program);
     std::ostringstream out;
     out << table << '\n';
@@ -71,7 +74,7 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the look of the window");
     input.allow_only({"theme", "text_scale", "lesson_width", "inspector_width", "quiz_points",
-                      "quiz_rounds", "way", "program"});
+                      "quiz_rounds", "way", "language", "program"});
     if (input.find("theme") != nullptr) {
         const std::string theme = input.text("theme");
         if (theme != "dark" && theme != "light") {
@@ -87,6 +90,11 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
         if (!options.start_choice) {
             input.fail(*input.find("way"), "'way' is \"lessons\", \"stages\" or \"picture\".");
         }
+    }
+    if (input.find("language") != nullptr) {
+        options.language = input.text("language");
+        if (!is_language_code(options.language))
+            input.fail(*input.find("language"), "'language' is a code such as \"sv\".");
     }
     if (input.find("program") != nullptr) options.program = input.text("program");
     options.score.is_kept = input.find("quiz_rounds") != nullptr;

@@ -38,6 +38,7 @@ struct UiOptions {
     float inspector_width = 0.0f;
     QuizScore score;
     std::optional<StartChoice> start_choice; ///< chosen by the student at the start; none: not yet
+    std::string language;                    ///< code of the language of the texts; empty: English
     std::string program; ///< path of the student's own program that was last checked; may be empty
 };
 

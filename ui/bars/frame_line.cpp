@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "session/walk.h"
 #include "ui/actions/compare.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -50,10 +51,10 @@ void find_differences(const TimeLines& s) {
 }
 
 std::string words_of(const DivergenceGroup& group) {
-    return fmt::format(
-        "The two runs differ from here: triangles[{}], {}, {}, {}. Click to go there.",
-        group.triangle, phase_info(group.phase).word, counted(group.count, "moment", "moments"),
-        kind_text(group.kind));
+    return tr("The two runs differ from here: triangles[{}], {}, {}, {}. Click to go there.",
+              group.triangle, tr(phase_info(group.phase).word),
+              group.count == 1 ? tr("1 moment") : tr("{} moments", group.count),
+              kind_text(group.kind));
 }
 
 void draw_differences(const TimeLines& s) {
@@ -111,16 +112,17 @@ void use_frame_line(const TimeLines& s, bool has_window) {
     }
     const bool has_squares = s.timeline.frame().squares != nullptr;
     const char* const extent =
-        has_squares ? "square to its last"
+        has_squares ? "The whole frame from its first square to its last."
         : s.timeline.frame().has_samples()
-            ? "vertex to its last pixel, with one tick per triangle and one for the pixels"
-            : "vertex to its last fragment, with one tick per triangle";
-    register_widget(
-        s.ui, "walk.scrub",
-        fmt::format("The whole frame from its first {}. Drag to go to any moment.{}", extent,
-                    has_window && !has_squares ? " The bracket marks what the line below enlarges; "
-                                                 "scroll to make it narrower."
-                                               : ""));
+            ? "The whole frame from its first vertex to its last pixel, with one tick per triangle "
+              "and one for the pixels."
+            : "The whole frame from its first vertex to its last fragment, with one tick per "
+              "triangle.";
+    std::string help = tr(extent) + std::string(" ") + tr("Drag to go to any moment.");
+    if (has_window && !has_squares)
+        help.append(" ").append(tr("The bracket marks what the line below enlarges; scroll to make "
+                                   "it narrower."));
+    register_widget(s.ui, "walk.scrub", help);
     step_by_arrows(s, "walk.scrub");
 }
 

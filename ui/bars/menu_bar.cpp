@@ -9,6 +9,7 @@
 #include "ui/bars/bars.h"
 #include "ui/bars/menus.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -48,7 +49,7 @@ CornerRoom fitting_corners(const Ui& ui, float room, int most_ranks) {
         float wider = fitting.width;
         for (const Corner& corner : corners_of(ui)) {
             if (corner.rank != fitting.ranks) continue;
-            wider += button_width(corner.label) + ImGui::GetStyle().ItemSpacing.x;
+            wider += button_width(tr(corner.label)) + ImGui::GetStyle().ItemSpacing.x;
         }
         if (wider > room) break;
         fitting.width = wider;
@@ -72,7 +73,7 @@ void draw_corner_buttons(Ui& ui, int most_ranks) {
     for (const Corner& corner : corners_of(ui)) {
         if (corner.rank >= fitting.ranks) continue;
         ImGui::BeginDisabled(!corner.enabled);
-        if (button(ui, corner.name, corner.label, Look::quiet, tooltip_of(corner.action))) {
+        if (button(ui, corner.name, tr(corner.label), Look::quiet, tooltip_of(corner.action))) {
             find_action(corner.action).run(ui);
         }
         ImGui::EndDisabled();
@@ -82,10 +83,10 @@ void draw_corner_buttons(Ui& ui, int most_ranks) {
 
 /// How to leave a lecture, as long as there is room for it.
 std::string leaving_words(float room) {
-    for (const char* words : {"Esc ends the lecture", "Esc ends it"}) {
+    for (const char* words : {tr("Esc ends the lecture"), tr("Esc ends it")}) {
         if (button_width(words) <= room) return words;
     }
-    return "Esc";
+    return tr("Esc");
 }
 
 float gear_width(const Ui& ui) {
@@ -164,7 +165,7 @@ void draw_menu_button(Ui& ui, const Area& area) {
     const bool pressed = ImGui::InvisibleButton("menu", area.size);
     const bool hovered = ImGui::IsItemHovered();
     const bool open = ImGui::IsPopupOpen("menus");
-    register_widget(ui, "menu", open ? "" : "All menus: files, views, scenes, lessons, help.");
+    register_widget(ui, "menu", open ? "" : tr("All menus: files, views, scenes, lessons, help."));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 low = area.position;
     const ImVec2 high{low.x + area.size.x, low.y + area.size.y};
@@ -194,7 +195,7 @@ void draw_exit_hint(Ui& ui, const Area& area) {
     const bool pressed = ImGui::InvisibleButton("lecture.leave", area.size);
     const bool hovered = ImGui::IsItemHovered();
     register_widget(ui, "lecture.leave",
-                    "Puts everything back as it was before the lecture.\nKey: Esc");
+                    tr("Puts everything back as it was before the lecture.\nKey: Esc"));
     const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     ImGui::GetWindowDrawList()->AddText({area.position.x + 0.5f * (area.size.x - text.x),
                                          area.position.y + 0.5f * (area.size.y - text.y)},

@@ -18,6 +18,7 @@
 #include "ui/actions/reading.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -89,7 +90,7 @@ void draw_scene_list(Ui& ui) {
                 ui.session.notice = fault.what();
             }
         }
-        register_widget(ui, name, "Opens this scene: " + file.filename().string(), title);
+        register_widget(ui, name, tr("Opens this scene: {}", file.filename().string()), title);
     }
 }
 
@@ -99,7 +100,8 @@ void draw_scene_menu(Ui& ui) {
     draw_scene_list(ui);
     draw_line_between(ui);
     for (const Preset& preset : ui.session.presets) {
-        if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
+        if (ImGui::MenuItem(tr("Preset: {}", preset.name).c_str()) &&
+            !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.a.settings);
         }
         register_widget(ui, "preset." + preset.name, preset.about);
@@ -114,7 +116,7 @@ void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
     const std::string title =
         fmt::format("{}{}  {}", number < 10 ? "  " : "", number, lesson.title);
     const bool is_done = ui.lesson.scores.of(i).is_done;
-    if (ImGui::MenuItem(title.c_str(), is_done ? "✓ done" : nullptr,
+    if (ImGui::MenuItem(title.c_str(), is_done ? tr("✓ done") : nullptr,
                         lesson.id == ui.session.lesson)) {
         wanted = lesson.id;
     }
@@ -138,11 +140,10 @@ void draw_lesson_menu(Ui& ui) {
     }
     if (static_cast<std::size_t>(shown) < lessons.size()) {
         ImGui::PushFont(ui.fonts.small);
-        const std::string words =
-            fmt::format("{} of {} lessons; L lists all", shown, lessons.size());
+        const std::string words = tr("{} of {} lessons; L lists all", shown, lessons.size());
         text_in(palette(ui.options.theme).dim, words);
         ImGui::PopFont();
-        register_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.",
+        register_widget(ui, "menu.lesson.count", tr("The ten lessons around the one that is open."),
                         words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
@@ -167,11 +168,11 @@ const MenuTitle menus[] = {{"File", "Open and save views, save pictures, quit."}
 void draw_menu(Ui& ui, const MenuTitle& menu, float top) {
     const char* const title = menu.title;
     // One that would not fit below the bar scrolls, and does not cover its own title.
-    const float room = ImGui::GetIO().DisplaySize.y - top - 8.0f * ui.options.text_scale;
+    const float room = ImGui::GetIO().DisplaySize.y - top - 2.0f * ui.options.text_scale;
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {FLT_MAX, std::max(room, 1.0f)});
-    const bool open = ImGui::BeginMenu(title);
+    const bool open = ImGui::BeginMenu(fmt::format("{}###{}", tr(title), title).c_str());
     // An open menu needs no tooltip.
-    register_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
+    register_widget(ui, std::string("menu.") + title, open ? "" : tr(menu.help));
     if (!open) return;
     begin_line_clip();
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);

@@ -11,6 +11,7 @@
 #include "ui/bars/bars.h"
 #include "ui/bars/pixel_words.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -28,12 +29,12 @@ void draw_change_buttons(Ui& ui, ImVec2 at) {
     const Look look = ui.results.history ? Look::plain : Look::quiet;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(10.0f * u, 2.0f * u));
     ImGui::SetCursorScreenPos({at.x, at.y - 3.0f * u});
-    if (button(ui, "walk.previous_change", previous_change_label, look,
+    if (button(ui, "walk.previous_change", tr(previous_change_label), look,
                tooltip_of("walk.previous_change"), size)) {
         find_action("walk.previous_change").run(ui);
     }
     ImGui::SameLine(0.0f, 6.0f * u);
-    if (button(ui, "walk.next_change", next_change_label, look, tooltip_of("walk.next_change"),
+    if (button(ui, "walk.next_change", tr(next_change_label), look, tooltip_of("walk.next_change"),
                size)) {
         find_action("walk.next_change").run(ui);
     }
@@ -41,7 +42,7 @@ void draw_change_buttons(Ui& ui, ImVec2 at) {
 }
 
 float change_buttons_width(const Ui& ui) {
-    return text_width(previous_change_label) + text_width(next_change_label) +
+    return text_width(tr(previous_change_label)) + text_width(tr(next_change_label)) +
            46.0f * ui.options.text_scale;
 }
 
@@ -65,7 +66,7 @@ void draw_zoom_buttons(Ui& ui, ImVec2 at) {
     ImGui::SetCursorScreenPos({at.x, at.y - 3.0f * u});
     for (const ZoomButton& b : zoom_buttons_of(ui)) {
         if (&b != zoom_buttons) ImGui::SameLine(0.0f, 6.0f * u);
-        if (button(ui, b.name, b.label, Look::plain, tooltip_of(b.action),
+        if (button(ui, b.name, tr(b.label), Look::plain, tooltip_of(b.action),
                    {0, ImGui::GetFontSize() + 6.0f * u})) {
             find_action(b.action).run(ui);
         }
@@ -77,24 +78,26 @@ float zoom_buttons_width(const Ui& ui) {
     const float u = ui.options.text_scale;
     float width = -6.0f * u;
     for (const ZoomButton& b : zoom_buttons_of(ui))
-        width += text_width(b.label) + 26.0f * u;
+        width += text_width(tr(b.label)) + 26.0f * u;
     return width;
 }
 
 /// What was drawn last, in words; from the longest form to the shortest.
 std::vector<std::string> moment_forms(const Ui& ui) {
-    if (!ui.results.a.done) return {"nothing is drawn yet", "nothing yet"};
+    if (!ui.results.a.done) return {tr("nothing is drawn yet"), tr("nothing yet")};
     const Cursor& done = *ui.results.a.done;
     const Frame& frame = ui.results.a.frame;
+    const Language& language = current_language();
+    const std::string whole = describe_moment(frame, done, language);
+    const std::string name = moment_name(done, language);
     if (is_square(done))
-        return {describe_moment(frame, done), describe_square_in_short(frame, done.square),
-                moment_name(done), to_text(done)};
-    return {describe_moment(frame, done), moment_name(done), moment_text(frame, done)};
+        return {whole, describe_square_in_short(frame, done.square, language), name, to_text(done)};
+    return {whole, name, moment_text(frame, done)};
 }
 
 /// What the diamonds above the time line mean, from the longest form to the shortest.
 std::vector<std::string> marks_forms() {
-    return {"the two runs differ here", "the runs differ", "A ≠ B"};
+    return {tr("the two runs differ here"), tr("the runs differ"), "A ≠ B"};
 }
 
 /// The same next to its mark, if there is room.
@@ -107,8 +110,8 @@ void draw_marks_key(Ui& ui, ImVec2 at, float room) {
     draw_difference_key(ui, words);
     register_widget(
         ui, "walk.differences",
-        "Each diamond above the line is a place where the two runs do something different. "
-        "Click one to go there; J and K go to the next one and the previous one.");
+        tr("Each diamond above the line is a place where the two runs do something different. "
+           "Click one to go there; J and K go to the next one and the previous one."));
 }
 
 /// What the diamonds mean, if there are any, and the piece of work that comes next, if there is
@@ -117,9 +120,11 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
     const Cursor& cursor = ui.results.a.cursor;
     const Frame& frame = ui.results.a.frame;
     const bool is_over = cursor == cursor_end && frame.pass < 0;
-    const std::string next = is_over                ? pass_name(frame.pass) + " is complete"
-                             : cursor == cursor_end ? moment_name(cursor)
-                                                    : "next " + moment_name(cursor);
+    const Language& language = current_language();
+    const std::string moment = moment_name(cursor, language);
+    const std::string next = is_over ? tr("{} is complete", pass_name(frame.pass, language))
+                             : cursor == cursor_end ? moment
+                                                    : tr("next {}", moment);
     const float width = text_width(next.c_str());
     const bool has_marks = !ui.transport.differences.marks.empty();
     const float key =
@@ -133,8 +138,8 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
     ImGui::SetCursorScreenPos(at);
     text_in(palette(ui.options.theme).dim, next);
     register_widget(ui, "walk.cursor",
-                    "The cursor: the next piece of work. On the command line it is --to " +
-                        moment_text(frame, cursor) + ".");
+                    tr("The cursor: the next piece of work. On the command line it is --to {}.",
+                       moment_text(frame, cursor)));
 }
 
 /// The pixel under the pointer, if no other line describes it; small, to have room.
@@ -143,7 +148,7 @@ void draw_pixel(Ui& ui, ImVec2 at, float room) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (line - ImGui::GetFontSize())});
     put_text(pixel_words(ui, room));
-    register_widget(ui, "status.pixel", "The pixel under the pointer.");
+    register_widget(ui, "status.pixel", tr("The pixel under the pointer."));
     ImGui::PopFont();
 }
 
@@ -155,8 +160,8 @@ float draw_done_moment(Ui& ui, ImVec2 at, float room) {
     ImGui::SetCursorScreenPos(at);
     put_text(words);
     register_widget(ui, "walk.words",
-                    words == said.front() ? "What was just drawn."
-                                          : said.front() + "\nWhat was just drawn.");
+                    words == said.front() ? tr("What was just drawn.")
+                                          : said.front() + "\n" + tr("What was just drawn."));
     return text_width(words.c_str());
 }
 

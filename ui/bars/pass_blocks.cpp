@@ -8,6 +8,7 @@
 #include "pipeline/shadow_pass.h"
 #include "session/walk.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -61,7 +62,7 @@ PassRoom pass_room(const Ui& ui, float width) {
     const float u = ui.options.text_scale;
     PassRoom room;
     if (frame.pass < 0)
-        room.after = text_width(ui.fonts.small, picture_label) + (10.0f + line_gap) * u;
+        room.after = text_width(ui.fonts.small, tr(picture_label)) + (10.0f + line_gap) * u;
     const bool has_names = width - blocks_width(wide_block) * u - room.after >= least_line * u;
     room.before = blocks_width(has_names ? wide_block : slim_block) * u;
     return width - room.before - room.after >= shortest_line * u ? room : PassRoom{};
@@ -79,16 +80,16 @@ void draw_pass_blocks(Ui& ui, const PassRoom& room, ImVec2 left_top, ImVec2 righ
         const float x = left_top.x + step * static_cast<float>(face);
         const bool is_pressed = draw_block(
             ui, fmt::format("walk.pass.{}", pass_number(pass)), along,
-            fmt::format("Pass {} before the picture: what the lamp sees along {}.\nClick to see it "
-                        "complete; step back to see it drawn.",
-                        pass_number(pass), along),
+            tr("Pass {} before the picture: what the lamp sees along {}.\nClick to see it "
+               "complete; step back to see it drawn.",
+               pass_number(pass), along),
             {x, left_top.y}, {x + step - block_gap * u, right_bottom.y}, pass == here, pass < here);
         if (is_pressed) go_to(ui.session, in_pass(cursor_end, pass));
     }
     if (here == 0) return;
     const float x = right_bottom.x - room.after + line_gap * u;
-    if (draw_block(ui, "walk.pass.picture", picture_label,
-                   "The picture, which is drawn after the shadow map.", {x, left_top.y},
+    if (draw_block(ui, "walk.pass.picture", tr(picture_label),
+                   tr("The picture, which is drawn after the shadow map."), {x, left_top.y},
                    right_bottom, false, false))
         go_to(ui.session, cursor_end);
 }

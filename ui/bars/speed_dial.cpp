@@ -7,6 +7,7 @@
 #include "session/speed.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -23,7 +24,7 @@ void draw_dial_words(const Ui& ui, ImVec2 at, float width, const Speed& meant, D
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    const std::string words = speed_text(meant);
+    const std::string words = speed_text(meant, current_language());
     ImFont* const small = ui.fonts.small;
     ImFont* const font = is_small ? small : ui.fonts.text;
     const float x = is_small ? at.x + 0.5f * (width - text_width(font, words))
@@ -31,14 +32,14 @@ void draw_dial_words(const Ui& ui, ImVec2 at, float width, const Speed& meant, D
     list->AddText(font, font->FontSize, {x, at.y + (is_small ? 2.0f : 0.0f) * u}, packed(p.text),
                   words.c_str());
     if (is_small) return;
-    if (text_width(small, "speed") + 8.0f * u < x - at.x) {
-        list->AddText(small, small->FontSize, {at.x, at.y + 2.0f * u}, packed(p.dim), "speed");
+    if (text_width(small, tr("speed")) + 8.0f * u < x - at.x) {
+        list->AddText(small, small->FontSize, {at.x, at.y + 2.0f * u}, packed(p.dim), tr("speed"));
     }
     if (form == DialForm::medium) return;
     const float y = at.y + 38.0f * u;
-    list->AddText(small, small->FontSize, {at.x, y}, packed(p.dim), "1 step/s");
-    list->AddText(small, small->FontSize, {at.x + width - text_width(small, "no limit"), y},
-                  packed(p.dim), "no limit");
+    list->AddText(small, small->FontSize, {at.x, y}, packed(p.dim), tr("1 step/s"));
+    list->AddText(small, small->FontSize, {at.x + width - text_width(small, tr("no limit")), y},
+                  packed(p.dim), tr("no limit"));
 }
 
 void draw_dial_line(const Ui& ui, ImVec2 left, float length, const Speed& meant, double steps,
@@ -97,10 +98,10 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     const Speed meant = speed_in(play.speed, steps);
     register_widget(
         ui, "walk.speed",
-        "How fast time runs: from one step a second, through the whole frame in a given "
-        "time, to as fast as it can be drawn. Drag it or scroll; a double click "
-        "sets it back to the whole frame in 15 s.",
-        speed_text(meant));
+        tr("How fast time runs: from one step a second, through the whole frame in a given "
+           "time, to as fast as it can be drawn. Drag it or scroll; a double click "
+           "sets it back to the whole frame in 15 s."),
+        speed_text(meant, current_language()));
     const int more = take_arrows(ui, "walk.speed").more();
     if (more > 0) play.speed = faster(play.speed, steps);
     if (more < 0) play.speed = slower(play.speed, steps);

@@ -11,6 +11,7 @@
 #include "ui/actions/compare.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -93,16 +94,16 @@ float gap_of(const Ui& ui, StripJoin join) {
 std::string word_of_perspective(const Settings& settings) {
     switch (settings.interpolation) {
     case Interpolation::perspective:
-        return "on";
+        return tr("on");
     case Interpolation::affine:
-        return "off";
+        return tr("off");
     case Interpolation::mixed:
-        return "mixed";
+        return tr("mixed");
     case Interpolation::zinv_twice:
     case Interpolation::divided_twice:
-        return "twice";
+        return tr("twice");
     case Interpolation::undivided:
-        return "half";
+        return tr("half");
     }
     return {};
 }
@@ -110,7 +111,7 @@ std::string word_of_perspective(const Settings& settings) {
 std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     switch (settings.depth_test) {
     case DepthTest::off:
-        return "off";
+        return tr("off");
     case DepthTest::inverse_z:
     case DepthTest::or_equal:
     case DepthTest::raced:
@@ -128,7 +129,7 @@ std::string depth_help(const Frame& frame) {
     const DepthWords& words = depth_words(frame);
     std::string name(words.name);
     if (words.short_name != words.name) name += ", \"" + std::string(words.short_name) + "\"";
-    return "\nThe depth buffer holds " + name + ": " + std::string(words.ends);
+    return "\n" + tr("The depth buffer holds {}: {}", name, words.ends);
 }
 
 /// Do the switches change anything where this entry is the last one computed?
@@ -151,24 +152,24 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
                              .is_unusual = !is_hidden && !is_usual,
                              .widest = widest});
         };
-        add("switch.perspective", form.is_short ? "P-corr." : "Perspective-correct",
+        add("switch.perspective", tr(form.is_short ? "P-corr." : "Perspective-correct"),
             word_of_perspective(settings), settings.interpolation == Interpolation::perspective,
-            "off");
+            tr("off"));
         if (hidden_rule(settings) == Hidden::depth_buffer) {
-            add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
+            add("switch.depth_test", tr(form.is_short ? "Depth" : "Depth test"),
                 word_of_depth_test(settings, ui.results.a.frame),
                 settings.depth_test == DepthTest::inverse_z, "1/z");
             if (!is_hidden) words.back().help += depth_help(ui.results.a.frame);
         } else {
-            add("switch.depth_test", form.is_short ? "" : "Hidden by",
+            add("switch.depth_test", form.is_short ? "" : tr("Hidden by"),
                 choice_words(*find_setting("hidden"), word_of(settings.hidden)), false, "");
         }
     }
     words.push_back({.name = "switch.compare",
                      .quiet = "",
-                     .loud = form.is_short ? "A | B" : "Compare",
+                     .loud = form.is_short ? "A | B" : tr("Compare"),
                      .help = tooltip_of("switch.compare") +
-                             (ui.session.b ? "" : "\nNow: " + comparison_offered(ui.session) + "."),
+                             (ui.session.b ? "" : tr("\nNow: {}.", comparison_offered(ui.session))),
                      .chosen = ui.session.b.has_value(),
                      .widest = ""});
     if (ui.options.is_lecture) {
@@ -188,20 +189,21 @@ float word_width(const Ui& ui, const StripWord& word) {
 StripWord scene_word(const Ui& ui, const Form& form) {
     const std::string& name = ui.session.scene->name;
     return {.name = "scenes",
-            .quiet = form.has_scene_word ? "scene" : "",
-            .loud = shortened(name.empty() ? "unnamed" : name,
+            .quiet = form.has_scene_word ? tr("scene") : "",
+            .loud = shortened(name.empty() ? tr("unnamed") : name,
                               form.scene_width * ui.options.text_scale) +
                     " ▾",
-            .help = "The current scene: " + name + ".\nClick to open another one.",
+            .help = tr("The current scene: {}.\nClick to open another one.", name),
             .widest = ""};
 }
 
 StripWord stages_word() {
-    return {.name = "stages", .quiet = "", .loud = "▾", .help = "All stages.", .widest = ""};
+    return {.name = "stages", .quiet = "", .loud = "▾", .help = tr("All stages."), .widest = ""};
 }
 
 float segment_width(const Ui& ui, const Form& form, const StripEntry& entry) {
-    return text_width(title_of(entry, ui.session)) + 2.0f * form.padding * ui.options.text_scale;
+    return text_width(title_of(entry, ui.session, current_language())) +
+           2.0f * form.padding * ui.options.text_scale;
 }
 
 float entries_width(const Ui& ui, const Form& form, const StripRow& entries) {
@@ -285,7 +287,7 @@ void draw_entry(Ui& ui, const StripEntry& entry, float x, float width, const Ban
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const std::string name = action_of(entry);
-    const std::string title(title_of(entry, ui.session));
+    const std::string title = title_of(entry, ui.session, current_language());
     const bool chosen = &entry == &chosen_entry(ui.session);
     const bool computed = is_computed(entry, ui.session);
     ImGui::SetCursorScreenPos({x, band.top});
@@ -378,7 +380,7 @@ void draw_stage_list(Ui& ui) {
     if (!ImGui::BeginPopup("all stages")) return;
     for (const StripEntry* entry : usable_entries(ui.session)) {
         const std::string action = action_of(*entry);
-        const std::string title(title_of(*entry, ui.session));
+        const std::string title = title_of(*entry, ui.session, current_language());
         const bool chosen = entry == &chosen_entry(ui.session);
         if (ImGui::MenuItem(title.c_str(), nullptr, chosen)) find_action(action).run(ui);
         register_widget(ui, "stages." + std::string(entry->name), tooltip_of(ui, action));

@@ -10,6 +10,7 @@
 #include "ui/bars/time_strips.h"
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -81,23 +82,25 @@ struct StepChoice {
 
 std::vector<StepChoice> step_choices(const Ui& ui) {
     if (ui.results.a.frame.squares != nullptr) {
-        return {{Granularity::moment, "square", "A step is one square, divided or not."},
-                {Granularity::line, "parts", "A step is a square with all its parts."},
-                {Granularity::triangle, "quarter", "A step is a quarter of the picture."},
-                {Granularity::phase, "outer",
-                 "A step is all that is left of the square that this one is a part of."}};
+        return {{Granularity::moment, tr("square"), tr("A step is one square, divided or not.")},
+                {Granularity::line, tr("parts"), tr("A step is a square with all its parts.")},
+                {Granularity::triangle, tr("quarter"), tr("A step is a quarter of the picture.")},
+                {Granularity::phase, tr("outer"),
+                 tr("A step is all that is left of the square that this one is a part of.")}};
     }
     const bool fragments = has_fragments(ui.session.a.settings.stage);
-    return {{Granularity::code, "line", "A step is one line of the lab's code, in the Code tab."},
-            {Granularity::moment, fragments ? "fragment" : "sample",
-             "A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
-             "edge sample, one fragment."},
-            {Granularity::line, fragments ? "row" : "edge",
-             "A step is one clipping plane, one edge or one row."},
-            {Granularity::triangle, "triangle", "A step is one triangle."},
-            {Granularity::phase, "phase",
-             "A step is one phase of a triangle: its vertices, clipping, culling, its edges, its "
-             "rows."}};
+    return {
+        {Granularity::code, tr("line"),
+         tr("A step is one line of the lab's code, in the Code tab.")},
+        {Granularity::moment, tr(fragments ? "fragment" : "sample"),
+         tr("A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
+            "edge sample, one fragment.")},
+        {Granularity::line, tr(fragments ? "row" : "edge"),
+         tr("A step is one clipping plane, one edge or one row.")},
+        {Granularity::triangle, tr("triangle"), tr("A step is one triangle.")},
+        {Granularity::phase, tr("phase"),
+         tr("A step is one phase of a triangle: its vertices, clipping, culling, its edges, its "
+            "rows.")}};
 }
 
 /// How the groups of the transport are arranged: buttons, size of a step, dial, time lines.
@@ -124,8 +127,8 @@ constexpr float least_compact_strip = 140.0f;
 /// that changes.
 float choice_width(const Ui& ui, const StepChoice& choice) {
     if (ui.results.a.frame.squares != nullptr) return text_width(choice.name);
-    if (choice.granularity == Granularity::moment) return text_width("fragment");
-    return text_width(choice.granularity == Granularity::line ? "row" : choice.name);
+    if (choice.granularity == Granularity::moment) return text_width(tr("fragment"));
+    return text_width(choice.granularity == Granularity::line ? tr("row") : choice.name);
 }
 
 float step_choice_width(const Ui& ui) {
@@ -145,7 +148,7 @@ Groups measure(const Ui& ui, float width) {
     g.play = (compact ? 42.0f : 56.0f) * u;
     const float others = ui.options.is_lecture ? 2.0f : 4.0f;
     g.widths.push_back(others * (g.icon + 6.0f * u) + g.play);
-    g.widths.push_back(compact ? text_width("fragment") + 52.0f * u : step_choice_width(ui));
+    g.widths.push_back(compact ? text_width(tr("fragment")) + 52.0f * u : step_choice_width(ui));
     g.widths.push_back(speed_dial_size(ui, g.dial).x);
     float rest = width;
     for (const float group : g.widths)
@@ -185,7 +188,7 @@ void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     });
     const bool open =
         ImGui::BeginCombo("##step", (now == choices.end() ? choices.front() : *now).name);
-    register_widget(ui, "step.list", "The size of a step.");
+    register_widget(ui, "step.list", tr("The size of a step."));
     if (!open) return;
     for (const StepChoice& choice : choices) {
         const bool chosen = ui.session.play.granularity == choice.granularity;

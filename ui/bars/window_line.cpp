@@ -11,6 +11,7 @@
 #include "session/walk.h"
 #include "ui/bars/time_window.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -68,8 +69,8 @@ void draw_bracket(const TimeLines& s) {
     if (is_lit) zoom_by_wheel(s, window.begin + 0.5 * window.width);
     register_widget(
         s.ui, "walk.bracket",
-        "What the line below enlarges. Drag it along the frame; scroll to make it narrower "
-        "or wider.");
+        tr("What the line below enlarges. Drag it along the frame; scroll to make it narrower "
+           "or wider."));
     const Arrows arrows = take_arrows(s.ui, "walk.bracket");
     if (arrows.right != 0) pan_window(s.window(), 0.1 * arrows.right * window.width);
     const float y = top + 3.5f * u;
@@ -83,8 +84,7 @@ struct Piece {
     ImVec4 colour;
     std::string name;         ///< "edge 1"; may be empty
     std::string brief;        ///< if the name is too long; may be empty
-    int count = 0;            ///< given after the name; 0: not given
-    std::string_view unit{};  ///< of the count, if the name does not say it
+    std::string count;        ///< given after the name; may be empty
     std::vector<int> between; ///< moments before each of its parts except the first
     int moments = 1;          ///< its number of moments, equally long
 };
@@ -117,21 +117,22 @@ void add_pieces(const TimeLines& s, int unit, std::vector<Piece>& pieces) {
                 Piece& piece = add(first + phase.before[e], first + phase.before[e + 1]);
                 piece.colour = colour_of(edge_meaning(static_cast<int>(e)), s.ui.options.theme);
                 piece.brief = std::to_string(e);
-                piece.name = element_name(info.piece, static_cast<int>(e));
-                piece.count = phase.pieces[e].count;
+                piece.name = element_name(info.piece, static_cast<int>(e), current_language());
+                piece.count = std::to_string(phase.pieces[e].count);
             }
             continue;
         }
         Piece& piece = add(first, before);
-        piece.name = info.word;
-        piece.count =
-            static_cast<int>(std::count_if(phase.pieces.begin(), phase.pieces.end(),
-                                           [](const auto& part) { return part.count > 0; }));
+        piece.name = tr(info.word);
+        const auto count = std::count_if(phase.pieces.begin(), phase.pieces.end(),
+                                         [](const auto& part) { return part.count > 0; });
         const bool is_rows = info.phase == Phase::rows || info.phase == Phase::resolve,
                    is_tests = info.phase == Phase::tests;
         piece.colour = is_rows ? s.colours().accent : s.colours().dim;
         if (is_rows || is_tests) piece.between = begins_of_rows(phase);
-        if (is_tests) piece.unit = " rows"; // of the box; each test is a pixel of one of them
+        // Of the box: each test is a pixel of one of its rows.
+        if (count > 0)
+            piece.count = is_tests && count > 1 ? tr("{} rows", count) : std::to_string(count);
     }
 }
 
@@ -146,7 +147,7 @@ Piece piece_of(const TimeLines& s, int number) {
                    : square.reason == SquareReason::divide ? p.dim
                                                            : p.line;
     piece.brief = to_text(moment_of_square(number));
-    piece.name = fmt::format("{} · {}", piece.brief, words(square.reason).in_short);
+    piece.name = fmt::format("{} · {}", piece.brief, tr(words(square.reason).in_short));
     return piece;
 }
 
@@ -158,7 +159,7 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
     const double end = window.begin + window.width;
     const float each = s.width / static_cast<float>(window.width);
     std::vector<Piece> pieces;
-    if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", 0, {}, {}, 1}};
+    if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", "", {}, 1}};
     const int last = std::min(static_cast<int>(std::ceil(end)), time_units(frame));
     for (int n = static_cast<int>(window.begin); frame.squares != nullptr && n < last; ++n)
         pieces.push_back(piece_of(s, n));
@@ -171,12 +172,11 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
             if (is_divided)
                 add_pieces(s, t, pieces);
             else
-                pieces.push_back({first, first + 1.0, p.accent, "resolve", "", 0, {}, {}, 1});
+                pieces.push_back({first, first + 1.0, p.accent, tr("resolve"), "", "", {}, 1});
         } else if (!frame.has_moments(t) || (!is_divided && !frame.is_drawn(t))) {
-            pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, {}, 1});
+            pieces.push_back({first, first + 1.0, p.line, tr("left out"), index, "", {}, 1});
         } else if (!is_divided) {
-            pieces.push_back(
-                {first, first + 1.0, p.accent, "triangles" + index, index, 0, {}, {}, 1});
+            pieces.push_back({first, first + 1.0, p.accent, "triangles" + index, index, "", {}, 1});
         } else {
             add_pieces(s, t, pieces);
         }
@@ -189,9 +189,8 @@ std::string fitting_label(const Piece& piece, float room) {
     const auto fits = [&](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x <= room;
     };
-    const std::string whole = piece.count > 0 ? fmt::format("{} · {}{}", piece.name, piece.count,
-                                                            piece.count > 1 ? piece.unit : "")
-                                              : piece.name;
+    const std::string whole =
+        piece.count.empty() ? piece.name : fmt::format("{} · {}", piece.name, piece.count);
     for (const std::string& text : {whole, piece.name, piece.brief}) {
         if (fits(text)) return text;
     }
@@ -281,12 +280,12 @@ void use_window_line(const TimeLines& s) {
     register_widget(
         s.ui, "walk.window",
         has_squares
-            ? "The part in the bracket, enlarged: one piece per square. Drag to go to any moment "
-              "and "
-              "scroll to enlarge."
-            : "The part in the bracket, enlarged. It shows what a triangle is made of; the more "
-              "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
-              "enlarge; a double click shows the whole triangle again.");
+            ? tr("The part in the bracket, enlarged: one piece per square. Drag to go to any "
+                 "moment "
+                 "and scroll to enlarge.")
+            : tr("The part in the bracket, enlarged. It shows what a triangle is made of; the more "
+                 "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
+                 "enlarge; a double click shows the whole triangle again."));
     step_by_arrows(s, "walk.window");
 }
 

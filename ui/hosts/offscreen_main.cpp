@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "base/language.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "opening/view_options.h"
@@ -52,6 +53,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
     app.add_option("--text-scale", a.text_scale, "Size of the text; 1 is 16 pixels")
         ->group("Window");
     text("--theme", a.theme, "dark or light", "NAME");
+    text("--language", a.options.ui.language, "Language of the texts, such as sv", "CODE");
     text("--ladder-times", a.options.ladder_times,
          "Show the times in this file in the Speed tab, instead of times of this machine", "FILE");
     text("--code", a.options.code, "Check this program (.cpp, or its folder) first", "FILE");
@@ -116,6 +118,7 @@ Session understand(Arguments& a) {
         throw UsageError("--theme must be dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
+    if (!options.ui.language.empty()) read_language(lessons_folder(), options.ui.language);
     // A tab requested by name comes in front of anything over the inspector.
     const auto tab = a.view.given.find("tab");
     if (tab != a.view.given.end()) options.tab = tab->second.back();

@@ -11,6 +11,7 @@
 #include "ui/lesson/lesson_end.h"
 #include "ui/lesson/lesson_predictions.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -133,30 +134,29 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
         PartWord word{index, "lesson.card." + std::to_string(i), {}, ""};
         if (part.kind == Kind::text) {
             ++texts;
-            word.title = texts == 1 ? "text" : "more";
-            word.help = texts == 1 ? "Shows the first part of this step."
-                                   : "Shows the next part of this step.";
+            word.title = tr(texts == 1 ? "text" : "more");
+            word.help = tr(texts == 1 ? "Shows the first part of this step."
+                                      : "Shows the next part of this step.");
             if (texts == 1) word.name = "lesson.card.text";
             if (index == shown) word.title += place_of_card(strip, index);
         } else if (part.kind == Kind::puzzle) {
-            word.title = sign_of(ui, lesson, part) + "code";
-            word.help = "Shows the lines to put in order.";
+            word.title = sign_of(ui, lesson, part) + tr("code");
+            word.help = tr("Shows the lines to put in order.");
         } else {
             const bool is_task = part.kind == Kind::task;
             int& number = is_task ? tasks : questions;
             ++number;
-            word.title = sign_of(ui, lesson, part) + (is_task ? "task" : "question");
+            word.title = sign_of(ui, lesson, part) + tr(is_task ? "task" : "question");
             if (count_of(part.kind) > 1) word.title += " " + std::to_string(number);
-            word.help = is_task ? "Shows the task."
-                                : "Answer first; then the program shows its "
-                                  "own answer.";
+            word.help = tr(is_task ? "Shows the task."
+                                   : "Answer first; then the program shows its own answer.");
         }
         words.push_back(word);
     }
     const int end = static_cast<int>(step.parts.size());
     if (is_last_step(ui, lesson) && (strip.cards.empty() || has_card(strip, end))) {
-        words.push_back(
-            {end, "lesson.card.end", "end", "What you have done, and where to go from here."});
+        words.push_back({end, "lesson.card.end", tr("end"),
+                         tr("What you have done, and where to go from here.")});
     }
     // If there is one part in one piece, that is all there is to see.
     if (words.size() == 1 && strip.cards.size() <= 1) words.clear();

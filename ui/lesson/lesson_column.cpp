@@ -9,6 +9,7 @@
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -54,17 +55,17 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
     float x = start.x;
     for (const Choice& choice : choices) {
         if (choice.page == SidePage::lesson && lesson == nullptr) continue;
-        const float text = ImGui::CalcTextSize(choice.title).x;
+        const float text = ImGui::CalcTextSize(tr(choice.title)).x;
         ImGui::SetCursorScreenPos({x, start.y});
         if (ImGui::InvisibleButton(choice.widget, {text, height})) {
             ui.session.page = choice.page;
         }
         const bool hovered = ImGui::IsItemHovered();
-        register_widget(ui, choice.widget, choice.help);
+        register_widget(ui, choice.widget, tr(choice.help));
         const bool is_shown = shown == choice.page;
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddText({x, start.y + 3.0f * u}, packed(is_shown || hovered ? p.text : p.dim),
-                      choice.title);
+                      tr(choice.title));
         if (is_shown) {
             list->AddRectFilled({x, start.y + height - 2.0f * u}, {x + text, start.y + height},
                                 packed(p.link));

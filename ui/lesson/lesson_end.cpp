@@ -13,6 +13,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -38,26 +39,26 @@ std::vector<int> open_steps(const Progress& progress, const Lesson& lesson) {
 /// "4 of 6 predictions right at the first try, 2 of 3 tasks done."
 std::string done_so_far(const Ui& ui, const Lesson& lesson) {
     const LessonScore score = score_of(ui.lesson.progress, lesson);
-    const auto of = [](int part, std::size_t all, const char* one, const char* more) {
-        return fmt::format("{} of {}", part, counted(static_cast<std::int64_t>(all), one, more));
-    };
-    std::string text = score.is_done ? "**Lesson done.**" : "**The end of the lesson.**";
+    std::string text = tr(score.is_done ? "**Lesson done.**" : "**The end of the lesson.**");
     if (score.all == 0) return text;
     text += " ";
-    if (!lesson.predictions.empty()) {
-        text += of(score.right, lesson.predictions.size(), "prediction", "predictions") +
-                " right on the first try";
+    const std::size_t predictions = lesson.predictions.size();
+    if (predictions > 0) {
+        text += predictions == 1
+                    ? tr("{} of 1 prediction right on the first try", score.right)
+                    : tr("{} of {} predictions right on the first try", score.right, predictions);
     }
-    if (task_count(lesson) > 0) {
-        text += lesson.predictions.empty() ? "" : ", ";
-        text += of(score.solved, static_cast<std::size_t>(task_count(lesson)), "task", "tasks") +
-                " done";
+    if (const int tasks = task_count(lesson); tasks > 0) {
+        text += predictions == 0 ? "" : ", ";
+        text += tasks == 1 ? tr("{} of 1 task done", score.solved)
+                           : tr("{} of {} tasks done", score.solved, tasks);
     }
     text += ".";
     const std::vector<int> steps = open_steps(ui.lesson.progress, lesson);
     if (!steps.empty()) {
-        text += fmt::format(" Still open: step{} {}.", steps.size() > 1 ? "s" : "",
-                            fmt::join(steps, ", "));
+        const std::string list = fmt::format("{}", fmt::join(steps, ", "));
+        text += " " + (steps.size() > 1 ? tr("Still open: steps {}.", list)
+                                        : tr("Still open: step {}.", list));
     }
     return text;
 }
@@ -69,8 +70,9 @@ std::string end_of_track(Ui& ui, const Lesson& lesson, const Lesson& next) {
     const Track* const ended = track_of(course, lesson.id);
     const Track* const begun = track_of(course, next.id);
     if (ended == nullptr || begun == nullptr || ended == begun) return {};
-    return fmt::format("*{}* ends here, and *{}* begins. ", as_markdown(ended->title),
-                       as_markdown(begun->title));
+    return tr("*{}* ends here, and *{}* begins.", as_markdown(ended->title),
+              as_markdown(begun->title)) +
+           " ";
 }
 
 /// The next lesson, with a link; a lesson that is not written yet is skipped.
@@ -78,11 +80,12 @@ std::string next_lesson_link(Ui& ui, const Lesson& lesson) {
     const std::string id = lesson_after(ui, lesson.id);
     const Lesson* const next = id.empty() ? nullptr : ui.lesson.lessons.find(id);
     if (next == nullptr)
-        return "This is the last lesson. Next comes [your own program](show:tab.lab), with all of "
-               "this in it.";
+        return tr(
+            "This is the last lesson. Next comes [your own program](show:tab.lab), with all of "
+            "this in it.");
     std::string text = end_of_track(ui, lesson, *next);
-    text += fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
-                        as_markdown(next->about));
+    text += tr("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
+               as_markdown(next->about));
     return text;
 }
 
@@ -97,7 +100,7 @@ std::string end_of_lesson(Ui& ui, const Lesson& lesson) {
     if (lesson.sources.empty()) return text;
     text += "\n";
     for (const std::string& source : lesson.sources)
-        text += "\n- Source: " + source;
+        text += "\n- " + tr("Source: {}", source);
     return text;
 }
 

@@ -18,6 +18,7 @@
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -31,9 +32,8 @@ const LessonStep& shown_step(const Ui& ui, const Lesson& lesson) {
 
 std::string place_in_lesson(const Ui& ui, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
-    return ui.session.step == 0
-               ? "lesson " + std::to_string(lesson_number(lesson.id))
-               : "step " + std::to_string(ui.session.step) + " of " + std::to_string(last);
+    return ui.session.step == 0 ? tr("lesson {}", lesson_number(lesson.id))
+                                : tr("step {} of {}", ui.session.step, last);
 }
 
 namespace {
@@ -41,15 +41,11 @@ namespace {
 /// "Lesson 4 · 15 minutes · lab: Interpolation" over the opening, "Lesson 4 · step 2 of 8" later.
 void draw_heading(Ui& ui, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
-    std::string text = "Lesson ";
-    text += std::to_string(lesson_number(lesson.id));
-    if (ui.session.step == 0) {
-        text.append(" · ").append(std::to_string(lesson.minutes)).append(" minutes");
-        text.append(" · ").append(section_words(lesson.section));
-    } else {
-        text.append(" · step ").append(std::to_string(ui.session.step));
-        text.append(" of ").append(std::to_string(last));
-    }
+    const int number = lesson_number(lesson.id);
+    const std::string text = ui.session.step == 0
+                                 ? tr("Lesson {} · {} minutes · {}", number, lesson.minutes,
+                                      section_words(lesson.section, current_language()))
+                                 : tr("Lesson {} · step {} of {}", number, ui.session.step, last);
     wrapped_text_in(palette(ui.options.theme).dim, text, ui.fonts.small);
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
@@ -131,7 +127,7 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text(text);
-    register_widget(ui, "lesson.faults", "rasterwalk check lists all of them.");
+    register_widget(ui, "lesson.faults", tr("rasterwalk check lists all of them."));
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }
@@ -201,7 +197,7 @@ PageFooter pages_of_lesson(Ui& ui, const Lesson& lesson) {
         footer.pages.push_back({"lesson.step." + std::to_string(i), lesson.steps[i].heading,
                                 ui.lesson.progress.was_step_shown(lesson.id, static_cast<int>(i))});
     }
-    if (!lesson_after(ui, lesson.id).empty()) footer.beyond = "next lesson";
+    if (!lesson_after(ui, lesson.id).empty()) footer.beyond = tr("next lesson");
     return footer;
 }
 

@@ -12,6 +12,7 @@
 #include "ui/lesson/lesson_box.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
@@ -27,21 +28,22 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     PredictionView& view = ui.lesson.predictions[prediction.id];
     ImGui::SetNextItemWidth(110.0f * u);
     if (std::exchange(view.takes_keys, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
+    const bool entered = ImGui::InputTextWithHint("##number", tr("your number"), &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    register_widget(ui, name + ".number", "Type a number; 1/3 and 500*2 work too.");
+    register_widget(ui, name + ".number", tr("Type a number; 1/3 and 500*2 work too."));
     if (!prediction.unit.empty()) {
         ImGui::SameLine(0.0f, 6.0f * u);
         ImGui::AlignTextToFramePadding();
         text_in(palette(ui.options.theme).dim, prediction.unit);
     }
     ImGui::SameLine(0.0f, 10.0f * u);
-    if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
-    const bool pressed = button(ui, name + ".answer", "answer", Look::main, "Checks your answer.");
+    if (ImGui::GetContentRegionAvail().x < button_width(tr("answer"))) ImGui::NewLine();
+    const bool pressed =
+        button(ui, name + ".answer", tr("answer"), Look::main, tr("Checks your answer."));
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
-                view.typed.empty() ? "Type a number first." : "That is not a number.");
-        register_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
+                tr(view.typed.empty() ? "Type a number first." : "That is not a number."));
+        register_widget(ui, name + ".fault", tr("1/3 and 500*2 are numbers too."));
     }
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
@@ -121,7 +123,7 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
         const bool pressed = ImGui::InvisibleButton("choice", size);
         ImGui::PopID();
         const bool hovered = ImGui::IsItemHovered();
-        register_widget(ui, name + ".choice." + std::to_string(number), "Choose this answer.");
+        register_widget(ui, name + ".choice." + std::to_string(number), tr("Choose this answer."));
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                             packed(hovered ? p.button_hovered : p.button), 4.0f * u);
@@ -143,11 +145,11 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
                        const std::string& name) {
     const std::optional<glm::ivec2>& pixel = ui.session.selection.pixel;
     if (!pixel) {
-        text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
+        text_in(palette(ui.options.theme).dim, tr("Click a pixel in the picture."));
         return;
     }
-    if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::main,
-               "Answers with the pixel that is picked in the picture.")) {
+    if (button(ui, name + ".answer", tr("answer {}", pixel_words(*pixel)), Look::main,
+               tr("Answers with the pixel that is picked in the picture."))) {
         answer_prediction(ui, lesson, prediction, {*pixel}, answer_words(prediction, {*pixel}));
     }
 }
@@ -168,24 +170,21 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
     // In a lecture, there need be no answer.
     if (view.said.empty()) {
         const bool is_one_of_many = prediction.kind == LessonPrediction::Kind::pixel;
-        return (is_one_of_many ? "One of them is " : "The program says: ") +
-               quoted_answer(prediction, judged.answer);
+        const std::string answer = quoted_answer(prediction, judged.answer);
+        return is_one_of_many ? tr("One of them is {}", answer)
+                              : tr("The program says: {}", answer);
     }
-    std::string text = !judged.is_right ? "You said: "
-                       : is_second      ? "Right on the second try: "
-                                        : "Right: ";
-    text.append(quoted_answer(prediction, view.said));
+    const std::string said = quoted_answer(prediction, view.said);
+    const std::string text = !judged.is_right ? tr("You said: {}", said)
+                             : is_second      ? tr("Right on the second try: {}", said)
+                                              : tr("Right: {}", said);
     if (is_second_try) return text;
     using Kind = LessonPrediction::Kind;
     if (prediction.kind == Kind::pixel)
-        return judged.is_right ? text
-                               : text + " That pixel is not "
-                                        "right.";
+        return judged.is_right ? text : text + " " + tr("That pixel is not right.");
     const bool is_nearly = prediction.kind == Kind::number && judged.answer != view.said;
-    if (!judged.is_right || is_nearly) {
-        text.append(" The program says: ").append(quoted_answer(prediction, judged.answer));
-    }
-    return text;
+    if (judged.is_right && !is_nearly) return text;
+    return text + " " + tr("The program says: {}", quoted_answer(prediction, judged.answer));
 }
 
 /// What the program says about an answer.
@@ -217,16 +216,16 @@ void show_fresh(Ui& ui, const std::string& widget) {
 
 void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                 const std::string& name) {
-    const bool is_pressed = button(ui, name + ".again", "answer again", Look::link,
-                                   "The program remembers your first answer.");
+    const bool is_pressed = button(ui, name + ".again", tr("answer again"), Look::link,
+                                   tr("The program remembers your first answer."));
     if (std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false))
         show_fresh(ui, name + ".again");
     if (is_pressed) ask_again(ui, lesson, prediction);
     if (is_pressed || !prediction.then || ui.lesson.predictions[prediction.id].is_in_picture)
         return;
     ImGui::SameLine(0.0f, 12.0f * ui.options.text_scale);
-    if (button(ui, name + ".show", "show it", Look::link,
-               "Sets up the picture, moment and tab of the answer.")) {
+    if (button(ui, name + ".show", tr("show it"), Look::link,
+               tr("Sets up the picture, moment and tab of the answer."))) {
         reveal_answer(ui, lesson, prediction);
     }
 }
@@ -243,7 +242,7 @@ void draw_reveal(Ui& ui, LessonBox& box, const Lesson& lesson, const LessonPredi
 /// What is said about a wrong first answer.
 std::string words_to_miss(const PredictionView& view) {
     if (!view.judged->says.empty()) return view.judged->says;
-    return "That is not it. Think again: you have a second try.";
+    return tr("That is not it. Think again: you have a second try.");
 }
 
 /// In a strip: the verdict, as much of the reason as fits, and the button to answer again.
@@ -253,7 +252,7 @@ void draw_short_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     draw_verdict(ui, prediction, name);
     const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
     const bool is_one_line = ImGui::GetItemRectSize().y < 2.0f * ImGui::GetFontSize();
-    const float end = ImGui::GetItemRectMax().x + gap.x + button_width("answer again");
+    const float end = ImGui::GetItemRectMax().x + gap.x + button_width(tr("answer again"));
     if (is_one_line && end <= left + width) ImGui::SameLine();
     draw_again(ui, lesson, prediction, name);
     if (!because.blocks.empty())
@@ -311,9 +310,9 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),
                  side_by_side);
     if (!is_second) return;
-    const bool is_pressed =
-        ui.lesson.lessons.course().answers == AnswerRule::on_request &&
-        button(ui, name + ".show", "show the answer", Look::link, "Gives up the second try.");
+    const bool is_pressed = ui.lesson.lessons.course().answers == AnswerRule::on_request &&
+                            button(ui, name + ".show", tr("show the answer"), Look::link,
+                                   tr("Gives up the second try."));
     if (is_fresh) show_fresh(ui, first_answer(ui, prediction, name));
     if (is_pressed) reveal_answer(ui, lesson, prediction);
 }
@@ -333,12 +332,12 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
     ImGui::PushID(name.c_str());
     {
         LessonBox box(ui, width, colour);
-        box.heading(prediction.looks_back ? "LOOK BACK" : "PREDICTION", colour);
-        register_widget(ui, name, "Answer first; then the program shows its own answer.");
+        box.heading(tr(prediction.looks_back ? "LOOK BACK" : "PREDICTION"), colour);
+        register_widget(ui, name, tr("Answer first; then the program shows its own answer."));
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
         if (!take_up_answer(ui, lesson, prediction)) {
-            text_in(palette(ui.options.theme).dim, "Restoring your answer …");
+            text_in(palette(ui.options.theme).dim, tr("Restoring your answer …"));
         } else if (is_revealed(ui, lesson, prediction)) {
             draw_reveal(ui, box, lesson, prediction, name);
         } else {

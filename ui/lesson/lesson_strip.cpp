@@ -16,6 +16,7 @@
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -198,9 +199,8 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
 
 int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
     const StageInfo& info = stage_info(ui.session.a.settings);
-    const Head head{
-        std::string(info.title),
-        "stage " + std::to_string(pages.current + 1) + " of " + std::to_string(stage_count), pages};
+    const Head head{std::string(info.title), tr("stage {} of {}", pages.current + 1, stage_count),
+                    pages};
     Area words{};
     const int wanted = draw_head(ui, head, head_width, words);
     begin_card_window(width);

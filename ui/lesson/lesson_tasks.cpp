@@ -8,6 +8,7 @@
 #include "ui/lesson/lesson_box.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -31,7 +32,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     if (words->second.is_reason != done) return; // another window has just solved it
     const std::string& said = words->second.text;
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
-                done ? said : "**Not yet:** " + said, width);
+                done ? said : tr("**Not yet:** {}", said), width);
     register_widget(ui, name + ".words", {}, said);
     scroll_to_fresh(ui, name + ".words");
 }
@@ -43,7 +44,8 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
         draw_marked(ui, name + ".hint", ui.lesson.pages[name + ".hint"], "*" + task.hint + "*",
                     width);
         scroll_to_fresh(ui, name + ".hint");
-    } else if (button(ui, name + ".hint", "hint", Look::link, "A nudge, if you are stuck.")) {
+    } else if (button(ui, name + ".hint", tr("hint"), Look::link,
+                      tr("A nudge, if you are stuck."))) {
         hints.insert(task.id);
         ui.lesson.fresh = name + ".hint";
         ui.lesson.frames_to_fresh = 2;
@@ -60,11 +62,10 @@ void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width
     ImGui::PushID(name.c_str());
     {
         LessonBox box(ui, width, colour);
-        box.heading(done ? "✓ DONE" : "TASK", colour);
+        box.heading(tr(done ? "✓ DONE" : "TASK"), colour);
         register_widget(ui, name,
-                        done ? "You have solved this."
-                             : "Ticked off when you have done it and nothing "
-                               "is moving.");
+                        tr(done ? "You have solved this."
+                                : "Ticked off when you have done it and nothing is moving."));
         box.markdown(name, ui.lesson.pages[name], without_label(task.text));
         draw_task_words(ui, task, name, done, box.inner_width());
         if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -66,14 +67,15 @@ bool has_previous(const PageFooter& footer) {
 std::string next_help(const PageFooter& footer) {
     switch (footer.open_below) {
     case PageFooter::Open::question:
-        return "Scrolls to the question. Answer it first, then go on.";
+        return tr("Scrolls to the question. Answer it first, then go on.");
     case PageFooter::Open::task:
-        return "Scrolls to the task. Do it before you go on.";
+        return tr("Scrolls to the task. Do it before you go on.");
     case PageFooter::Open::nothing:
         break;
     }
-    return footer.has_more_after ? "Shows the next part of this step."
-                                 : "Goes to the next page: " + title_of(footer, footer.current + 1);
+    return footer.has_more_after
+               ? tr("Shows the next part of this step.")
+               : tr("Goes to the next page: {}", title_of(footer, footer.current + 1));
 }
 
 bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
@@ -83,19 +85,20 @@ bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec
 bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
     return button(ui, "lesson.previous", label, Look::plain,
                   footer.has_more_before
-                      ? "Shows the previous part of this step."
-                      : "Goes to the previous page: " + title_of(footer, footer.current - 1),
+                      ? tr("Shows the previous part of this step.")
+                      : tr("Goes to the previous page: {}", title_of(footer, footer.current - 1)),
                   size);
 }
 
 /// The label of the forward button in a footer.
 std::string next_label(const PageFooter& footer, float room) {
     if (footer.open_below != PageFooter::Open::nothing) {
-        const std::string what = footer.open_below == PageFooter::Open::task ? "task" : "question";
-        const std::string word = fitting_label(what, "next", room);
-        return fitting_label("to the " + what, word.c_str(), room) + "  ▾";
+        const bool is_task = footer.open_below == PageFooter::Open::task;
+        const std::string word = fitting_label(tr(is_task ? "task" : "question"), tr("next"), room);
+        return fitting_label(tr(is_task ? "to the task" : "to the question"), word.c_str(), room) +
+               "  ▾";
     }
-    return fitting_label(title_of(footer, footer.current + 1), "next", room) + "  ›";
+    return fitting_label(title_of(footer, footer.current + 1), tr("next"), room) + "  ›";
 }
 
 /// Widths of the buttons in a strip, design pixels.
@@ -134,7 +137,7 @@ PageRequest draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
     }
     if (footer.current > 0) {
         const std::string label =
-            "‹  " + fitting_label(title_of(footer, footer.current - 1), "back", half);
+            "‹  " + fitting_label(title_of(footer, footer.current - 1), tr("back"), half);
         ImGui::SetCursorScreenPos({start.x, y});
         if (draw_previous(ui, footer, label, {half, 0.0f})) request.direction = -1;
     }
@@ -153,7 +156,8 @@ int draw_page_buttons(Ui& ui, const PageFooter& footer, float height) {
         direction = -1;
     }
     ImGui::SetCursorScreenPos({start.x + (previous_width + 6.0f) * u, start.y});
-    if (has_next(footer) && draw_next(ui, footer, "next  ›", {next_width * u, height})) {
+    if (has_next(footer) &&
+        draw_next(ui, footer, tr("next") + std::string("  ›"), {next_width * u, height})) {
         direction = 1;
     }
     return direction;

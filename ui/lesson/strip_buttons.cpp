@@ -9,6 +9,7 @@
 #include "ui/actions/open_tab.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -16,7 +17,7 @@
 namespace rasterwalk {
 
 void draw_drawer_button(Ui& ui, ImVec2 corner) {
-    const char* const label = is_drawer_open(ui) ? "▴ close" : "▾ the whole text";
+    const char* const label = tr(is_drawer_open(ui) ? "▴ close" : "▾ the whole text");
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(2.0f, 1.0f * ui.options.text_scale));
     const float width = button_width(label);

@@ -6,6 +6,7 @@
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -56,6 +57,11 @@ std::vector<KeyGroup> key_groups() {
         const bool is_new = !action.menu.empty() && action.menu != groups.back().title;
         if (is_new) groups.push_back({action.menu, {}});
         groups.back().lines.push_back({chord_text(action.chord), action.title});
+    }
+    for (KeyGroup& group : groups) {
+        group.title = tr(group.title);
+        for (KeyLine& line : group.lines)
+            line.help = tr(line.help);
     }
     return groups;
 }

@@ -1,0 +1,109 @@
+#include "base/language.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/quoted.h"
+#include "base/toml_input.h"
+
+namespace rasterwalk {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* languages_folder = "languages";
+constexpr const char* texts_name = "texts.toml";
+constexpr std::size_t longest_code = 8;
+
+} // namespace
+
+const Language& english() {
+    static const Language language;
+    return language;
+}
+
+std::string_view tr(std::string_view text, const Language& language) {
+    if (language.asked != nullptr) language.asked->emplace(text);
+    const auto found = language.texts.find(text);
+    return found == language.texts.end() ? text : std::string_view(found->second);
+}
+
+std::string places_in(std::string_view text) {
+    std::string places;
+    bool is_inside = false;
+    for (const char c : text) {
+        if (c == '{') is_inside = true;
+        if (is_inside || c == '}') places += c;
+        if (c == '}') is_inside = false;
+    }
+    return places;
+}
+
+Language parse_language(std::string_view text, const std::string& path) {
+    const toml::table root = parse_toml(text, path);
+    const TomlInput input(root, path, "the language");
+    input.allow_only({"name", "texts"});
+    Language language;
+    language.name = input.text("name");
+    const toml::node* const texts = input.find("texts");
+    if (texts == nullptr) input.fail("the language has no [texts].");
+    const TomlInput table = input.table(*texts, "the table of texts");
+    for (const auto& [key, node] : table.nodes()) {
+        const toml::value<std::string>* const words = node.as_string();
+        if (words == nullptr)
+            table.fail(node, "the translation of " + in_quotes(key.str()) + " must be a text.");
+        const std::string& translation = words->get();
+        if (!translation.empty() && places_in(translation) == places_in(key.str()))
+            language.texts.emplace(key.str(), translation);
+    }
+    return language;
+}
+
+Language read_language(const std::string& folder, const std::string& code) {
+    if (!is_language_code(code))
+        throw UsageError(in_quotes(code) + " is not the code of a language, such as sv.");
+    const std::string path = texts_file(folder, code);
+    Language language = parse_language(read_file(path, largest_language), path);
+    language.code = code;
+    return language;
+}
+
+bool is_language_code(std::string_view code) {
+    return !code.empty() && code.size() <= longest_code &&
+           code.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
+}
+
+std::vector<std::string> language_codes(const std::string& folder) {
+    std::vector<std::string> codes;
+    std::error_code fault;
+    for (fs::directory_iterator entry(fs::path(folder) / languages_folder, fault), end;
+         !fault && entry != end; entry.increment(fault)) {
+        const std::string code = entry->path().filename().string();
+        std::error_code ignored;
+        if (is_language_code(code) && fs::is_regular_file(entry->path() / texts_name, ignored))
+            codes.push_back(code);
+    }
+    std::sort(codes.begin(), codes.end());
+    return codes;
+}
+
+std::string texts_file(const std::string& folder, std::string_view code) {
+    return translated_lesson(folder, code, texts_name);
+}
+
+std::string translated_lesson(const std::string& folder, std::string_view code,
+                              std::string_view lesson) {
+    return (fs::path(folder) / languages_folder / code / lesson).string();
+}
+
+std::string lessons_folder_of(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    const fs::path above = folder.parent_path();
+    return above.filename() == languages_folder ? above.parent_path().string() : folder.string();
+}
+
+} // namespace rasterwalk
