@@ -75,6 +75,7 @@ struct Ui {
     StartPage start;
     TransportState transport;
     BackgroundLoad reading;
+    int faults = 0; ///< exceptions that guarded() has caught
 };
 
 } // namespace rasterwalk

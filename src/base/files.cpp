@@ -211,6 +211,12 @@ void write_file(const std::string& path, std::string_view bytes) {
     }
 }
 
+void make_folder_of(const std::string& path) {
+    std::error_code fault;
+    fs::create_directories(fs::path(path).parent_path(), fault);
+    if (fault) refuse("write", path, fault.value());
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code fault;
     return a == b || (std::filesystem::equivalent(a, b, fault) && !fault);

@@ -37,6 +37,10 @@ void refuse_endless_file(const std::string& path);
 /// so is a device or pipe. Temporary files of interrupted runs are removed. Throws AccessError.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Makes the folder that a file will be written to, and those above it, if they are not there.
+/// Throws AccessError, which says why the file cannot be written.
+void make_folder_of(const std::string& path);
+
 /// Do two paths lead to the same file? Two paths of the same letters do, even if nothing is there.
 bool is_same_file(const std::string& a, const std::string& b);
 

@@ -294,8 +294,7 @@ Progress merged(const Progress& before, const Progress& after, const Progress& t
 }
 
 Progress write_progress(const Progress& before, const Progress& after, const std::string& path) {
-    std::error_code fault; // writing the file will report it
-    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
+    make_folder_of(path);
     const FileLock lock(path);
     Progress kept = merged(before, after, read_progress(path));
     write_file(path, progress_text(kept));

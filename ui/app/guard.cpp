@@ -43,6 +43,7 @@ bool guarded(Ui& ui, const std::function<void()>& part) {
     } catch (const std::exception& fault) {
         ui.session.notice = fault.what();
     }
+    ++ui.faults;
     close_what_is_open();
     return false;
 }

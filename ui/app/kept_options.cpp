@@ -115,8 +115,7 @@ void save_options(Ui& ui) {
     if (options_text(ui.options) == options_text(ui.kept_options)) return;
     write_kept(ui, ui.options_file, "The look of the window", [&] {
         const std::string& path = ui.options_file.path;
-        std::error_code fault; // the write itself will report it
-        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
+        make_folder_of(path);
         const FileLock lock(path);
         const UiOptions kept =
             merged(ui.kept_options, ui.options, read_options(path, ui.kept_options));

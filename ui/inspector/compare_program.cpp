@@ -25,13 +25,6 @@ namespace {
 /// So many writes are listed; a program may put a pixel as often as it likes.
 constexpr std::size_t most_listed_writes = 20;
 
-/// What our run does at a moment, in words.
-std::string words_of_moment(const Ui& ui, const Cursor& cursor) {
-    const Frame& frame = ui.results.a.frame;
-    const bool is_moment = cursor != cursor_end && Timeline(frame).exists(cursor);
-    return is_moment ? describe_moment(frame, cursor) : moment_name(cursor);
-}
-
 void draw_write(Ui& ui, const ProgramWrite& write, std::size_t line) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float size = ImGui::GetTextLineHeight();
@@ -69,7 +62,8 @@ void draw_program_parting(Ui& ui) {
     if (const std::optional<Divergence>& first = found.divergences.first) {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
         if (button(ui, "compare.parting", moment_name(first->cursor), Look::link,
-                   words_of_moment(ui, first->cursor) + "\nClick to go there in both runs."))
+                   describe_moment(ui.results.a.frame, first->cursor) +
+                       "\nClick to go there in both runs."))
             stand_at(ui, first->cursor);
         ImGui::PopStyleVar();
         wrapped_text(first->text);

@@ -89,6 +89,7 @@ TEST_CASE("A part of a frame that throws leaves ImGui as it found it, and shows 
     }
     CHECK_FALSE(guarded(driver.ui, [] { throw std::runtime_error("between frames"); }));
     CHECK(driver.ui.session.notice == "between frames");
+    CHECK(driver.ui.faults == 7);
     driver.hand.click("stage.depth");
     CHECK(driver.ui.session.a.settings.stage == Stage::depth);
 }
