@@ -22,6 +22,7 @@
 #include "cli/engines_command.h"
 #include "cli/ladder_command.h"
 #include "cli/mine_command.h"
+#include "cli/package_option.h"
 #include "cli/progress_line.h"
 #include "cli/visible_output.h"
 #include "mine/compile/project_folder.h"
@@ -87,6 +88,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("FILE");
     add_view_options(line.app, line.view);
     add_look_options(line.app, line.view);
+    add_package_option(line.app);
 
     CLI::App& render = add_command(line, "render", "Write the picture as a PNG",
                                    [&] { render_command(line.render, err); });

@@ -117,8 +117,12 @@ std::string llvmpipe_program() {
     const char* const named = std::getenv("RASTERWALK_LLVMPIPE");
     if (named != nullptr && *named != '\0') return named;
     std::error_code fault;
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", fault);
-    return (own.parent_path() / "rasterwalk-llvmpipe").string();
+    const std::filesystem::path folder =
+        std::filesystem::read_symlink("/proc/self/exe", fault).parent_path();
+    const std::filesystem::path installed =
+        folder.parent_path() / "libexec/rasterwalk/rasterwalk-llvmpipe";
+    if (std::filesystem::exists(installed, fault)) return installed.string();
+    return (folder / "rasterwalk-llvmpipe").string();
 }
 
 } // namespace rasterwalk

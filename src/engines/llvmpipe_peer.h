@@ -45,7 +45,8 @@ struct Peer {
 Peer start_llvmpipe(const std::string& program, const PeerTask& task,
                     const ChildProcess::Patience& patience);
 
-/// The path of `rasterwalk-llvmpipe`: $RASTERWALK_LLVMPIPE, or else next to this program.
+/// The path of `rasterwalk-llvmpipe`: $RASTERWALK_LLVMPIPE, or else next to this program, or
+/// in libexec/ if they are installed.
 std::string llvmpipe_program();
 
 } // namespace rasterwalk

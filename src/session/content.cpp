@@ -47,16 +47,15 @@ std::string lessons_folder() {
 std::string own_lessons_folder() {
     std::error_code fault;
     const fs::path program = fs::read_symlink("/proc/self/exe", fault);
-    // The program is in the project's build folder, or one folder deeper, or is installed in bin/.
+    // The program is in a build folder, which has a link to the lessons, or deeper in it, or is
+    // installed in bin/. A browser has its files at the root.
     constexpr int levels = 4;
-    fs::path folder = program.parent_path();
-    for (int level = 0; !fault && level < levels; ++level, folder = folder.parent_path()) {
-        if (holds_content(folder / "lessons")) return (folder / "lessons").string();
-        if (holds_content(folder / "share/rasterwalk/lessons")) {
-            return (folder / "share/rasterwalk/lessons").string();
+    fs::path folder = fault ? fs::path("/") : program.parent_path();
+    for (int level = 0; level < levels; ++level, folder = folder.parent_path()) {
+        for (const char* place : {"lessons", "share/rasterwalk/lessons"}) {
+            if (holds_content(folder / place)) return fs::canonical(folder / place).string();
         }
     }
-    if (holds_content(RASTERWALK_LESSONS)) return RASTERWALK_LESSONS;
     throw AccessError("the folder 'lessons' was not found; set RASTERWALK_LESSONS to its path.");
 }
 

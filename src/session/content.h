@@ -10,8 +10,8 @@ namespace rasterwalk {
 /// own_lessons_folder(). Throws AccessError if there is none.
 std::string lessons_folder();
 
-/// The `lessons` folder that comes with the program: the one next to or above it, or the one it was
-/// built from. Throws AccessError if there is none.
+/// The `lessons` folder that comes with the program: the one next to or above it, or
+/// installed with it. Throws AccessError if there is none.
 std::string own_lessons_folder();
 
 /// The default scene, in lessons_folder().
@@ -26,7 +26,7 @@ std::string find_lesson_file(const std::string& folder, std::string_view relativ
 /// or only through a symbolic link. It need not exist.
 std::optional<std::string> name_in_lessons_folder(const std::string& path);
 
-/// The version of the program: "0.2.0".
+/// The version of the program: "1.0.0".
 std::string version_text();
 
 } // namespace rasterwalk

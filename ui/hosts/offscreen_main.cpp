@@ -12,6 +12,7 @@
 #include "base/language.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "cli/package_option.h"
 #include "opening/view_options.h"
 #include "session/content.h"
 #include "ui/hosts/offscreen.h"
@@ -61,6 +62,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
          "Write the names and positions of all widgets to this file; - for standard output",
          "FILE");
 
+    add_package_option(app);
     ActionOptions actions;
     const auto action = [&](const char* name, std::vector<std::string>& values,
                             HandAction::Kind kind, const char* help, const char* type) {

@@ -269,6 +269,10 @@ struct OpenWindow {
     OpenWindow(Session session, bool is_plain) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+#ifdef GLFW_WAYLAND_APP_ID
+        // GLFW 3.4: Wayland finds the icon by the name of the desktop entry.
+        glfwWindowHintString(GLFW_WAYLAND_APP_ID, "rasterwalk");
+#endif
         const Size size = first_size();
         window.handle = glfwCreateWindow(size.width, size.height, "Rasterwalk", nullptr, nullptr);
         if (window.handle == nullptr) throw no_display();
