@@ -55,6 +55,7 @@ struct Ui {
     KeptFile options_file;
     std::vector<LanguageChoice> language_choices; ///< at least English, after the first frame
     Language language;                            ///< of the texts, read as the options ask for it
+    std::string refused_language; ///< code that could not be read: English takes its place
     HostState host;
     Fonts fonts;
     bool style_is_stale = true; ///< theme or text size changed: style and fonts must be made again

@@ -37,7 +37,7 @@ std::string places_in(std::string_view text) {
     bool is_inside = false;
     for (const char c : text) {
         if (c == '{') is_inside = true;
-        if (is_inside || c == '}') places += c;
+        if (is_inside || c == '}' || c == '#') places += c;
         if (c == '}') is_inside = false;
     }
     return places;
@@ -102,8 +102,26 @@ std::string translated_lesson(const std::string& folder, std::string_view code,
 
 std::string lessons_folder_of(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
-    const fs::path above = folder.parent_path();
-    return above.filename() == languages_folder ? above.parent_path().string() : folder.string();
+    std::error_code fault, ignored;
+    const fs::path whole = fs::absolute(file, fault).lexically_normal().parent_path();
+    const auto has_texts = [&](const fs::path& of) {
+        return fs::is_regular_file(of / texts_name, ignored);
+    };
+    const bool is_language = !fault && whole.parent_path().filename() == languages_folder &&
+                             is_language_code(whole.filename().string()) &&
+                             (has_texts(whole) || has_texts(whole.parent_path()));
+    if (!is_language) return folder.string();
+    // As it was written: the file may have come by a relative path.
+    fs::path above = (folder / ".." / "..").lexically_normal();
+    if (!above.has_filename()) above = above.parent_path();
+    return above.string();
+}
+
+bool is_list_of_texts(const std::string& file) {
+    std::error_code fault;
+    const fs::path whole = fs::absolute(file, fault).lexically_normal();
+    return !fault && whole.filename() == texts_name &&
+           whole.parent_path().filename() == languages_folder;
 }
 
 } // namespace rasterwalk

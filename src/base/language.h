@@ -35,8 +35,8 @@ std::string tr(const Language& language, fmt::format_string<const Values&...> te
     return fmt::vformat(tr({form.data(), form.size()}, language), fmt::make_format_args(values...));
 }
 
-/// The places for values, and every other brace, in their order: "{}{:.3f}". A translation has the
-/// same ones as the English text.
+/// The places for values, and every other brace or #, in their order: "{}{:.3f}", or "#" of
+/// "edge #". A translation has the same ones as the English text.
 std::string places_in(std::string_view text);
 
 /// Reads the texts of a language. A text without a translation, or with other places for values, is
@@ -60,8 +60,12 @@ std::string texts_file(const std::string& folder, std::string_view code);
 std::string translated_lesson(const std::string& folder, std::string_view code,
                               std::string_view lesson);
 
-/// The folder of lessons that a file belongs to: the one it is in, or that of the languages.
+/// The folder of lessons that a file belongs to: the one it is in, or, if that is
+/// `languages/CODE` and there are texts in one of these two, the one above.
 std::string lessons_folder_of(const std::string& file);
+
+/// Is it `languages/texts.toml`, which lists the texts of the program?
+bool is_list_of_texts(const std::string& file);
 
 inline constexpr std::size_t largest_language = std::size_t{1} << 20; ///< bytes
 

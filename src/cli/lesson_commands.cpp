@@ -164,6 +164,8 @@ int check_file(const std::string& path, FileCheck& check) {
         options.file = path;
         return read([&] { open_view(options); });
     }
+    if (is_list_of_texts(path))
+        return read([&] { parse_language(read_file(path, largest_language), path); });
     if (name == "texts.toml" && is_translation(path)) {
         int faults = 0;
         const int refused = read([&] {
@@ -233,13 +235,13 @@ int print_advice(const std::vector<std::string>& files, const Session& session, 
 void print_gaps(const std::vector<std::string>& files, bool prints_all, std::ostream& out) {
     for (const std::string& file : files) {
         if (fs::path(file).filename() != "texts.toml" || !is_translation(file)) continue;
-        const fs::path folder = fs::path(file).parent_path();
+        const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
         const TranslationGaps gaps =
             translation_gaps(lessons_folder_of(file), folder.filename().string());
         const auto translated = [](int all, const std::vector<std::string>& missing) {
             return fmt::format("{} of {}", all - static_cast<int>(missing.size()), all);
         };
-        out << fmt::format("{}: {} texts and {} lessons are translated.\n", folder.string(),
+        out << fmt::format("{}: {} texts and {} lessons are translated.\n", file,
                            translated(gaps.all_texts, gaps.texts),
                            translated(gaps.all_lessons, gaps.lessons));
         if (!prints_all) continue;

@@ -106,9 +106,12 @@ std::vector<Fault> text_faults(const std::string& path) {
         if (known.count(text) == 0) {
             faults.push_back({line, "the program has no text " + in_quotes(text) + "."});
         } else if (!translation.empty() && language.texts.count(text) == 0) {
-            faults.push_back({line, "the translation of " + in_quotes(text) + " needs " +
-                                        in_quotes(places_in(text)) +
-                                        ", in this order, and no other braces."});
+            const std::string places = places_in(text);
+            faults.push_back(
+                {line, "the translation of " + in_quotes(text) +
+                           (places.empty() ? " must have no braces and no #."
+                                           : " needs " + in_quotes(places) +
+                                                 ", in this order, and no other braces or #.")});
         }
     }
     std::sort(faults.begin(), faults.end(),

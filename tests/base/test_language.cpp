@@ -1,11 +1,16 @@
 #include "base/language.h"
 
+#include <filesystem>
+
 #include "base/error.h"
+#include "support/project_root.h"
 #include "tests/support/catch.h"
 
 namespace rasterwalk {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 const std::string small = R"(name = "Svenska"
 
@@ -16,6 +21,8 @@ const std::string small = R"(name = "Svenska"
 "frame in {:g} s" = "{0}"
 "row {}" = "rad {} }"
 "Edge" = ""
+"edge #" = "kant"
+"sample #" = "sampel #"
 )";
 
 } // namespace
@@ -35,6 +42,9 @@ TEST_CASE("A translation with other places for values than the English text is n
     CHECK(tr(language, "{} of {}", 3, 9) == "3 of 9");
     CHECK(tr(language, "frame in {:g} s", 1.5) == "frame in 1.5 s");
     CHECK(tr(language, "row {}", 4) == "row 4");
+    CHECK(tr("edge #", language) == "edge #");
+    CHECK(tr("sample #", language) == "sampel #");
+    CHECK(places_in("triangles[#]") == "#");
     CHECK(places_in("a {} b {:.3f} c") == "{}{:.3f}");
     CHECK(places_in("} {") == "}{");
 }
@@ -64,10 +74,32 @@ TEST_CASE("The code of a language never leads out of the folder of languages") {
     CHECK_THROWS_AS(read_language("lessons", "../lessons"), UsageError);
 }
 
+TEST_CASE("A translated lesson is found from inside its folder") {
+    const fs::path before = fs::current_path();
+    fs::current_path(project_root() + "/lessons/languages/sv");
+    const std::string from_language = lessons_folder_of("05-row-table.md");
+    fs::current_path("..");
+    const std::string from_languages = lessons_folder_of("sv/05-row-table.md");
+    CHECK(is_list_of_texts("texts.toml"));
+    CHECK_FALSE(is_list_of_texts("sv/texts.toml"));
+    fs::current_path("..");
+    const std::string from_lessons = lessons_folder_of("languages/sv/05-row-table.md");
+    fs::current_path("..");
+    const std::string from_root = lessons_folder_of("lessons/languages/sv/05-row-table.md");
+    fs::current_path(before);
+    CHECK(from_language == "../..");
+    CHECK(from_languages == "..");
+    CHECK(from_lessons == ".");
+    CHECK(from_root == "lessons");
+}
+
 TEST_CASE("A translated lesson belongs to the folder of the English ones") {
-    CHECK(lessons_folder_of("lessons/05-row-table.md") == "lessons");
-    CHECK(lessons_folder_of("lessons/languages/sv/05-row-table.md") == "lessons");
+    const std::string lessons = project_root() + "/lessons";
+    CHECK(lessons_folder_of(lessons + "/05-row-table.md") == lessons);
+    CHECK(lessons_folder_of(lessons + "/languages/sv/05-row-table.md") == lessons);
     CHECK(lessons_folder_of("05-row-table.md").empty());
+    // Of a course on languages.
+    CHECK(lessons_folder_of("/course/languages/cpp/05-loops.md") == "/course/languages/cpp");
     CHECK(translated_lesson("lessons", "sv", "05-row-table.md") ==
           "lessons/languages/sv/05-row-table.md");
 }

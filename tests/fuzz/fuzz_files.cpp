@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -104,6 +105,10 @@ LedgerLine fuzz(const Task& task, const ChangedFormat& format, Progress& progres
     while (goes_on(task, progress, seconds)) {
         const pid_t child = ::fork();
         if (child == 0) read_files(task, format, folder, progress, seconds);
+        if (child < 0) {
+            fmt::print(stderr, "rasterwalk-fuzz: no process could be started.\n");
+            std::exit(2);
+        }
         int status = 0;
         ::waitpid(child, &status, 0);
         seconds = seconds_of(RUSAGE_CHILDREN) - begin;
@@ -134,15 +139,16 @@ std::uint32_t fuzz_files(const Task& task, const std::vector<ChangedFormat>& for
 std::optional<std::uint32_t> fuzz_seconds(Task task, std::vector<ChangedFormat> formats,
                                           Progress& progress) {
     constexpr double longest_part = 60.0;
+    constexpr double rounding = 0.5; // the times in the ledger are rounded
     const std::string path = task.folder + "/ledger";
-    const double seconds = task.seconds;
+    const double seconds = task.seconds - rounding;
     std::vector<ChangedFormat> left = formats;
     while (!left.empty()) {
         for (const ChangedFormat& format : left) {
             const LedgerLine sum = sum_of(read_ledger(path), format.name);
             task.start = sum.start;
-            task.seconds = std::min(longest_part, seconds - sum.seconds);
-            if (task.seconds <= 0.0) continue;
+            if (sum.seconds >= seconds) continue;
+            task.seconds = std::min(longest_part, seconds + rounding - sum.seconds);
             if (!append(path, fuzz(task, format, progress))) return std::nullopt;
         }
         const std::vector<LedgerLine> ledger = read_ledger(path);

@@ -94,7 +94,8 @@ TEST_CASE("Texts that the program does not have, or with other places, are fault
                      "\"Walk\" = \"Gå\"\n");
     CHECK(text_faults(path) ==
           std::vector<Fault>{
-              {4, "the translation of 'row {}' needs '{}', in this order, and no other braces."},
+              {4, "the translation of 'row {}' needs '{}', in this order, and no other braces or "
+                  "#."},
               {5, "the program has no text 'Walk'."}});
 }
 

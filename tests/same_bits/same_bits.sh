@@ -32,6 +32,7 @@ else
 fi
 if [ -n "${SAME_BITS_ONLY:-}" ]; then
     mapfile -t others < <(printf '%s\n' "${variants[@]:1}" | grep -E -- "$SAME_BITS_ONLY")
+    [ ${#others[@]} -gt 0 ] || { echo "No variant matches '$SAME_BITS_ONLY'."; exit 2; }
     variants=("${variants[0]}" "${others[@]}")
 fi
 

@@ -34,7 +34,7 @@ void read_chosen_language(Ui& ui) {
             language = read_language(lessons_folder(), ui.options.language);
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
-        ui.options.language.clear();
+        ui.refused_language = ui.options.language;
     }
     language.asked = ui.language.asked;
     ui.language = std::move(language);
@@ -48,8 +48,15 @@ void renew_language(Ui& ui) {
         ui.language_choices = {{english().code, english().name}};
         ui.language_choices = read_choices(lessons_folder());
     }
-    if (ui.language.code != ui.options.language) read_chosen_language(ui);
+    const std::string& wished = ui.options.language;
+    const bool is_refused = !wished.empty() && wished == ui.refused_language;
+    if (wished != ui.language.code && !is_refused) read_chosen_language(ui);
     use_language(ui.language);
+}
+
+void choose_language(Ui& ui, const std::string& code) {
+    ui.options.language = code;
+    ui.refused_language.clear();
 }
 
 const LanguageChoice& next_language(const Ui& ui) {

@@ -250,7 +250,7 @@ std::vector<Action> view_actions() {
          .title = "Language",
          .help = "Goes on to the next language of menus, strip, transport and lessons.",
          .chord = {},
-         .run = [](Ui& ui) { ui.options.language = next_language(ui).code; },
+         .run = [](Ui& ui) { choose_language(ui, next_language(ui).code); },
          .is_of_use = [](const Ui& ui) { return ui.language_choices.size() > 1; },
          .words_now =
              [](const Ui& ui) {

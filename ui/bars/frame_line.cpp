@@ -54,7 +54,7 @@ std::string words_of(const DivergenceGroup& group) {
     return tr("The two runs differ from here: triangles[{}], {}, {}, {}. Click to go there.",
               group.triangle, tr(phase_info(group.phase).word),
               group.count == 1 ? tr("1 moment") : tr("{} moments", group.count),
-              kind_text(group.kind));
+              tr(kind_text(group.kind)));
 }
 
 void draw_differences(const TimeLines& s) {

@@ -129,7 +129,7 @@ std::string depth_help(const Frame& frame) {
     const DepthWords& words = depth_words(frame);
     std::string name(words.name);
     if (words.short_name != words.name) name += ", \"" + std::string(words.short_name) + "\"";
-    return "\n" + tr("The depth buffer holds {}: {}", name, words.ends);
+    return "\n" + tr("The depth buffer holds {}: {}", name, tr(words.ends));
 }
 
 /// Do the switches change anything where this entry is the last one computed?

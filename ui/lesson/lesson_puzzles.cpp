@@ -13,6 +13,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -55,7 +56,7 @@ class PuzzleDrawing {
         const float left_top = ImGui::GetCursorScreenPos().y;
         if (!is_done_ && !view_.desk.left.empty()) {
             ImGui::Dummy({1.0f, 4.0f * ui_.options.text_scale});
-            text_in(palette(ui_.options.theme).dim, "LINES NOT USED", ui_.fonts.small);
+            text_in(palette(ui_.options.theme).dim, tr("LINES NOT USED"), ui_.fonts.small);
             for (const int piece : view_.desk.left)
                 draw_piece(0, piece, 1);
         }
@@ -116,7 +117,7 @@ class PuzzleDrawing {
 
     void draw_empty() {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const std::string text = is_gap(puzzle_) ? "Drag a line here." : "Drag lines here.";
+        const std::string text = is_gap(puzzle_) ? tr("Drag a line here.") : tr("Drag lines here.");
         const float height = height_of(text, 1);
         ImGui::Dummy({width_, height});
         clip_to_lines();
@@ -139,10 +140,11 @@ class PuzzleDrawing {
         const bool is_active = ImGui::IsItemActive(), is_hovered = ImGui::IsItemHovered();
         register_widget(ui_, name,
                         view_.dragged >= 0 ? ""
-                        : number > 0 ? "Drag it, also to the side. With the keyboard, the arrows "
-                                       "move it."
-                                     : "Drag it to its place, or click to put it at the end. With "
-                                       "the keyboard, ↑ puts it there.",
+                        : number > 0
+                            ? tr("Drag it, also to the side. With the keyboard, the arrows "
+                                 "move it.")
+                            : tr("Drag it to its place, or click to put it at the end. With "
+                                 "the keyboard, ↑ puts it there."),
                         text);
         areas_.push_back({piece, place_of_piece(view_.desk, piece), at.y, at.y + height});
         const bool is_lit = is_active || is_hovered;
@@ -227,7 +229,7 @@ class PuzzleDrawing {
 void draw_verdict_of_run(Ui& ui, PuzzleView& view, const std::string& name) {
     if (!view.verdict || view.verdict->is_right) return;
     std::string words = view.verdict->sentence;
-    if (view.verdict->line > 0) words = "Line " + std::to_string(view.verdict->line) + ": " + words;
+    if (view.verdict->line > 0) words = tr("Line {}: {}", view.verdict->line, words);
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text("✗  " + words);
     ImGui::PopStyleColor();
@@ -238,8 +240,8 @@ void draw_verdict_of_run(Ui& ui, PuzzleView& view, const std::string& name) {
 
 void draw_buttons(Ui& ui, const Lesson& lesson, const LessonPuzzle& puzzle, PuzzleView& view,
                   const std::string& name) {
-    if (button(ui, name + ".run", "run it", Look::main,
-               "Runs the function with several inputs, and compares what it gives.")) {
+    if (button(ui, name + ".run", tr("run it"), Look::main,
+               tr("Runs the function with several inputs, and compares what it gives."))) {
         view.verdict = judge_order(puzzle, view.desk.used);
         view.is_fresh = true;
         ui.lesson.strip.is_recut = true;
@@ -247,7 +249,8 @@ void draw_buttons(Ui& ui, const Lesson& lesson, const LessonPuzzle& puzzle, Puzz
     }
     if (view.desk.used.empty()) return;
     ImGui::SameLine(0.0f, 12.0f * ui.options.text_scale);
-    if (button(ui, name + ".start_over", "start over", Look::link, "Takes all lines out again.")) {
+    if (button(ui, name + ".start_over", tr("start over"), Look::link,
+               tr("Takes all lines out again."))) {
         view.desk = new_desk(puzzle);
         view.verdict.reset();
     }
@@ -298,7 +301,10 @@ void draw_puzzle(Ui& ui, const Lesson& lesson, const LessonPuzzle& puzzle, float
     ImGui::PushID(name.c_str());
     {
         LessonBox box(ui, width, colour);
-        box.heading(is_done ? "✓ DONE" : is_gap(puzzle) ? "FILL IN" : "PUT IN ORDER", colour);
+        box.heading(is_done          ? tr("✓ DONE")
+                    : is_gap(puzzle) ? tr("FILL IN")
+                                     : tr("PUT IN ORDER"),
+                    colour);
         draw_content(ui, lesson, puzzle, name, box.inner_width());
     }
     ImGui::PopID();

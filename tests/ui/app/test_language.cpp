@@ -8,16 +8,19 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "compare/divergence.h"
 #include "inspect/clip_history.h"
 #include "lessons/translation_check.h"
 #include "session/speed.h"
 #include "session/strip.h"
+#include "settings/depth_words.h"
 #include "stages/warnock.h"
 #include "support/project_root.h"
 #include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/situations.h"
 #include "ui/actions/actions.h"
+#include "ui/actions/language.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/kept_options.h"
 #include "ui/ui.h"
@@ -106,6 +109,11 @@ void add_texts_of_tables(std::set<std::string>& texts) {
         texts.emplace(phase.piece);
         texts.emplace(phase.step);
     }
+    for (const DivergenceKind kind :
+         {DivergenceKind::missing, DivergenceKind::extra, DivergenceKind::other})
+        texts.insert(kind_text(kind));
+    for (const ClipDepth kind : {ClipDepth::inv_z, ClipDepth::ndc, ClipDepth::reversed})
+        texts.emplace(depth_words(kind).ends);
     for (std::size_t plane = 0; plane < clip_plane_count; ++plane)
         texts.insert(plane_name(static_cast<int>(plane)));
     texts.emplace(triangle_form);
@@ -218,9 +226,23 @@ TEST_CASE("A language that cannot be read leaves the window in English, and says
     Driver driver;
     driver.ui.options.language = "xx";
     driver.hand.frames(1);
-    CHECK(driver.ui.options.language.empty());
     CHECK(driver.ui.session.notice.find("languages/xx/texts.toml") != std::string::npos);
     CHECK(words_of(driver.ui, find_action("walk.step")).title == "Step");
+
+    // The choice stays, and is not read again in each frame.
+    CHECK(driver.ui.options.language == "xx");
+    driver.ui.session.notice.clear();
+    driver.hand.frames(2);
+    CHECK(driver.ui.session.notice.empty());
+    choose_language(driver.ui, "xx");
+    driver.hand.frames(1);
+    CHECK_FALSE(driver.ui.session.notice.empty());
+    choose_language(driver.ui, "");
+    driver.hand.frames(1);
+    CHECK(words_of(driver.ui, find_action("walk.step")).title == "Step");
+    choose_language(driver.ui, "sv");
+    driver.hand.frames(1);
+    CHECK(words_of(driver.ui, find_action("walk.step")).title != "Step");
 }
 
 TEST_CASE("The language is kept between two runs") {

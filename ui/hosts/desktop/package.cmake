@@ -46,5 +46,6 @@ endif()
 set(CPACK_PROJECT_CONFIG_FILE ${debian}/package.cmake)
 
 set(CPACK_SOURCE_GENERATOR TXZ)
-set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/(build|out|tests/failed|[.]git)(/|$)")
+string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" root "${PROJECT_SOURCE_DIR}")
+set(CPACK_SOURCE_IGNORE_FILES "^${root}/(build|out|tests/failed|[.]git)(/|$)")
 include(CPack)
