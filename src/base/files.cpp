@@ -84,7 +84,9 @@ std::string read_all(int descriptor, const std::string& name, std::size_t limit,
         if (count < 0) refuse("read", name, errno);
         if (count == 0) return bytes;
         if (bytes.size() + static_cast<std::size_t>(count) > limit) {
-            throw InputError(fmt::format("{}: the file is larger than {} MB.", name, limit >> 20));
+            const bool is_small = limit < std::size_t{1} << 20;
+            throw InputError(fmt::format("{}: the file is larger than {} {}.", name,
+                                         limit >> (is_small ? 10 : 20), is_small ? "kB" : "MB"));
         }
         bytes.append(block, 0, static_cast<std::size_t>(count));
     }

@@ -43,12 +43,25 @@ std::string places_in(std::string_view text) {
     return places;
 }
 
+bool can_be_drawn(std::string_view translation, std::string_view english) {
+    const bool has_lines = english.find('\n') != std::string_view::npos;
+    bool is_visible = false;
+    for (const char c : translation) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < ' ' && !(c == '\n' && has_lines)) return false;
+        is_visible = is_visible || byte > ' ';
+    }
+    return is_visible;
+}
+
 Language parse_language(std::string_view text, const std::string& path) {
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the language");
     input.allow_only({"name", "texts"});
     Language language;
     language.name = input.text("name");
+    if (!can_be_drawn(language.name, {}))
+        input.fail(*input.find("name"), "the name must have letters, and no control characters.");
     const toml::node* const texts = input.find("texts");
     if (texts == nullptr) input.fail("the language has no [texts].");
     const TomlInput table = input.table(*texts, "the table of texts");
@@ -57,7 +70,7 @@ Language parse_language(std::string_view text, const std::string& path) {
         if (words == nullptr)
             table.fail(node, "the translation of " + in_quotes(key.str()) + " must be a text.");
         const std::string& translation = words->get();
-        if (!translation.empty() && places_in(translation) == places_in(key.str()))
+        if (can_be_drawn(translation, key.str()) && places_in(translation) == places_in(key.str()))
             language.texts.emplace(key.str(), translation);
     }
     return language;

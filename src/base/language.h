@@ -39,8 +39,12 @@ std::string tr(const Language& language, fmt::format_string<const Values&...> te
 /// "edge #". A translation has the same ones as the English text.
 std::string places_in(std::string_view text);
 
-/// Reads the texts of a language. A text without a translation, or with other places for values, is
-/// left out. Throws InputError, AccessError.
+/// Does a translation have something to see, and no control characters but the ends of lines that
+/// the English text has, too?
+bool can_be_drawn(std::string_view translation, std::string_view english);
+
+/// Reads the texts of a language. A text without a translation, or with one that has other places
+/// for values or that cannot be drawn, is left out. Throws InputError, AccessError.
 /// @param folder of the lessons
 /// @param code see is_language_code()
 Language read_language(const std::string& folder, const std::string& code);

@@ -53,7 +53,8 @@ std::vector<std::string> files_in(const fs::path& folder) {
         const std::string name = entry->path().filename().string();
         const bool is_data = name == "presets.toml" || name == "glossary.toml" ||
                              name == "bugs.toml" || name == "course.toml" ||
-                             name == "course-test.toml";
+                             name == "course-test.toml" ||
+                             (name == "texts.toml" && is_translation(entry->path().string()));
         const bool is_scene = folder.filename() == "scenes" && name.ends_with(".toml");
         const bool is_model = folder.filename() == "models" && is_model_file(name);
         if (is_lesson_name(name) || is_data || is_scene || is_model)
@@ -61,11 +62,33 @@ std::vector<std::string> files_in(const fs::path& folder) {
     }
     if (fault) throw AccessError("cannot read '" + folder.string() + "': " + fault.message() + ".");
     std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The folders of languages in a folder, by name, also of those without texts.
+std::vector<fs::path> languages_in(const fs::path& folder) {
+    std::vector<fs::path> languages;
+    std::error_code fault, ignored;
+    for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+        if (is_language_code(entry->path().filename().string()) && entry->is_directory(ignored))
+            languages.push_back(entry->path());
+    }
+    std::sort(languages.begin(), languages.end());
+    return languages;
+}
+
+/// The same, with the models, scenes and languages below a folder of lessons.
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> files = files_in(folder);
     std::vector<fs::path> folders{folder / "models", folder / "scenes"};
-    for (const std::string& code : language_codes(folder.string())) {
-        const fs::path texts = texts_file(folder.string(), code);
-        folders.push_back(texts.parent_path());
-        files.push_back(texts.string());
+    const bool is_of_languages = is_list_of_texts((folder / "texts.toml").string());
+    for (fs::path& language : languages_in(is_of_languages ? folder : folder / "languages")) {
+        // The texts are checked even if they are missing.
+        std::error_code ignored;
+        if (!fs::exists(fs::symlink_status(language / "texts.toml", ignored)))
+            files.push_back((language / "texts.toml").string());
+        folders.push_back(std::move(language));
     }
     for (const fs::path& below : folders) {
         std::error_code ignored;
@@ -79,12 +102,15 @@ std::vector<std::string> files_in(const fs::path& folder) {
 std::vector<std::string> files_to_check(const std::vector<std::string>& paths) {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        std::error_code ignored;
-        if (fs::is_directory(path, ignored)) {
-            for (std::string& file : files_in(fs::path(path).lexically_normal()))
+        std::error_code fault;
+        const fs::file_status status = fs::status(path, fault);
+        if (fs::is_directory(status)) {
+            for (std::string& file : files_below(fs::path(path).lexically_normal()))
                 files.push_back(std::move(file));
-        } else if (!fs::exists(path, ignored)) {
-            throw AccessError("cannot read '" + path + "': there is no such file.");
+        } else if (!fs::exists(status)) {
+            const bool is_missing = status.type() == fs::file_type::not_found;
+            throw AccessError("cannot read '" + path + "': " +
+                              (is_missing ? "there is no such file." : fault.message() + "."));
         } else {
             files.push_back(path);
         }

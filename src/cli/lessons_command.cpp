@@ -7,6 +7,7 @@
 #include "cli/json.h"
 #include "lessons/lesson_list.h"
 #include "lessons/progress.h"
+#include "session/content.h"
 
 namespace rasterwalk {
 
@@ -42,6 +43,7 @@ void print_track(const Course& course, const Track& track, LessonList& lessons, 
 } // namespace
 
 void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err) {
+    lessons_folder(); // or says that there is none
     LessonList lessons;
     const Progress progress = progress_so_far(err);
     const Course& course = lessons.course();

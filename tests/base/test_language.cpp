@@ -49,6 +49,17 @@ TEST_CASE("A translation with other places for values than the English text is n
     CHECK(places_in("} {") == "}{");
 }
 
+TEST_CASE("A translation that cannot be drawn is not used") {
+    CHECK(can_be_drawn("Alla", "All"));
+    CHECK(can_be_drawn("\nNu", "\nNow"));
+    for (const char* const text : {"", " ", "\n", "\r", "Alla\n", "a\tb", "\x1b[0m"})
+        CHECK_FALSE(can_be_drawn(text, "All"));
+    CHECK_FALSE(can_be_drawn(std::string_view("\0Alla", 5), "All"));
+    const Language language =
+        parse_language("name = \"S\"\n[texts]\n\"All\" = \"\\n\"\n", "texts.toml");
+    CHECK(tr("All", language) == "All");
+}
+
 TEST_CASE("A language that is not one is refused with its line") {
     const auto refused = [](const std::string& text) {
         try {
@@ -61,6 +72,8 @@ TEST_CASE("A language that is not one is refused with its line") {
     CHECK(refused("name = \"Svenska\"\n[texts]\n\"Step\" = 3\n") ==
           "sv/texts.toml:3: the translation of 'Step' must be a text.");
     CHECK(refused("[texts]\n").starts_with("sv/texts.toml:1: "));
+    CHECK(refused("name = \" \"\n[texts]\n") ==
+          "sv/texts.toml:1: the name must have letters, and no control characters.");
     CHECK(refused("name = \"Svenska\"\n") == "sv/texts.toml:1: the language has no [texts].");
     CHECK(refused("name = \"Svenska\"\ntexts = 3\n").starts_with("sv/texts.toml:2: "));
     CHECK(refused("name = \"S\"\nwords = {}\n[texts]\n").starts_with("sv/texts.toml:2: "));

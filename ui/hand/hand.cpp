@@ -292,7 +292,8 @@ ImVec2 Hand::middle_of(std::string_view name) {
 bool Hand::scroll_into_view(std::string_view name) {
     for (const Scrollable& scrollable : scrollable_windows()) {
         ImVec2 target{0.0f, 0.0f};
-        while (true) {
+        constexpr int most_pages = 300; // a window may grow as it is scrolled
+        for (int page_number = 0; page_number < most_pages; ++page_number) {
             ImGuiWindow* const window = ImGui::FindWindowByID(scrollable.id);
             if (window == nullptr) break;
             const ImVec2 page{0.75f * std::max(window->InnerRect.GetWidth(), 24.0f),

@@ -20,7 +20,7 @@ bool draw_word(Ui& ui, const std::string& name, std::string_view word, std::stri
                ImVec2 at, float height, const ImVec4& colour, const ImVec4& colour_hovered) {
     const ImVec2 text = ImGui::CalcTextSize(word.data(), word.data() + word.size());
     ImGui::SetCursorScreenPos(at);
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), {text.x, height});
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {std::max(text.x, 1.0f), height});
     const bool hovered = ImGui::IsItemHovered();
     register_widget(ui, name, help);
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + 0.5f * (height - text.y)},

@@ -213,7 +213,7 @@ int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int sh
     int pressed = -1;
     ImGui::PushFont(ui.fonts.small);
     for (const PartWord& word : words_of(ui, lesson, step, shown)) {
-        const float width = text_width(word.title);
+        const float width = std::max(text_width(word.title), 1.0f);
         if (at.x + width > end) break;
         ImGui::SetCursorScreenPos(at);
         if (ImGui::InvisibleButton(word.name.c_str(), {width, height})) pressed = word.part;

@@ -1,8 +1,9 @@
+#include "ui/lesson/lesson_column.h"
+
 #include <algorithm>
 
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/lesson_cards.h"
-#include "ui/lesson/lesson_column.h"
 #include "ui/lesson/lesson_list.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/lesson/page_footer.h"
@@ -55,7 +56,7 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
     float x = start.x;
     for (const Choice& choice : choices) {
         if (choice.page == SidePage::lesson && lesson == nullptr) continue;
-        const float text = ImGui::CalcTextSize(tr(choice.title)).x;
+        const float text = std::max(ImGui::CalcTextSize(tr(choice.title)).x, 1.0f);
         ImGui::SetCursorScreenPos({x, start.y});
         if (ImGui::InvisibleButton(choice.widget, {text, height})) {
             ui.session.page = choice.page;
