@@ -100,10 +100,10 @@ std::vector<Fault> text_faults(const std::string& path) {
     const Language language = parse_language(read_file(path, largest_language), path);
     const std::map<std::string, int> known = lines_of_texts(list_of_texts(lessons_folder_of(path)));
     const toml::table root = parse_toml(read_file(path, largest_language), path);
-    constexpr std::size_t most_faults = 200;
+    constexpr std::size_t most_text_faults = 200;
     std::vector<Fault> faults;
     for (const auto& [text, line] : lines_of_texts(path)) {
-        if (faults.size() == most_faults) break;
+        if (faults.size() == most_text_faults) break;
         const std::string translation = root["texts"][text].value_or(std::string());
         if (known.count(text) == 0) {
             faults.push_back({line, "the program has no text " + in_quotes(text) + "."});
