@@ -136,7 +136,7 @@ std::uint32_t fuzz_files(const Task& task, const std::vector<ChangedFormat>& for
 
 /// Reads files until the ledger has as many seconds for each format, a minute of each in turn.
 /// Returns the number of findings in the ledger; nothing if that cannot be written.
-std::optional<std::uint32_t> fuzz_seconds(Task task, std::vector<ChangedFormat> formats,
+std::optional<std::uint32_t> fuzz_seconds(Task task, const std::vector<ChangedFormat>& formats,
                                           Progress& progress) {
     constexpr double longest_part = 60.0;
     constexpr double rounding = 0.5; // the times in the ledger are rounded
