@@ -186,10 +186,8 @@ std::string engines_footer() {
         "\nthe pixels differ from llvmpipe's picture by more than 1/255, the output says what "
         "differs instead."
         "\nThe environment variable RASTERWALK_LLVMPIPE names the peer's program if it is not "
-        "where "
-        "it is"
-        "\ninstalled. The exit code is 4 if the peer is missing, breaks off or does not "
-        "answer for"
+        "where it is"
+        "\ninstalled. The exit code is 4 if the peer is missing, breaks off or does not answer for"
         "\n30 seconds, 1 if a picture differs, and 130 after Ctrl+C, which prints what has been "
         "measured.";
     return text;

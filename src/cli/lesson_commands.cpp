@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "cli/json.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "session/content.h"
 
 namespace rasterwalk {

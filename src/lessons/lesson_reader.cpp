@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/faults.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "base/text_parts.h"

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "base/toml_input.h"
@@ -57,20 +56,16 @@ std::vector<std::string> only_in_first(const std::vector<std::string>& first,
     return rest;
 }
 
-/// The texts of the program, with the lines that a file has them in.
-std::map<std::string, int> lines_of_texts(const std::string& path) {
+/// The program's texts, as a folder of lessons lists them; a translation begins as a copy.
+std::set<std::string> listed_texts(const std::string& folder) {
+    const std::string path = (fs::path(folder) / "languages" / "texts.toml").string();
     const toml::table root = parse_toml(read_file(path, largest_language), path);
-    std::map<std::string, int> lines;
-    if (const toml::table* const texts = root["texts"].as_table(); texts != nullptr) {
-        for (const auto& [key, node] : *texts)
-            lines.emplace(key.str(), static_cast<int>(node.source().begin.line));
+    std::set<std::string> texts;
+    if (const toml::table* const table = root["texts"].as_table(); table != nullptr) {
+        for (const auto& [key, node] : *table)
+            texts.emplace(key.str());
     }
-    return lines;
-}
-
-/// The program's texts in a folder of lessons; a translation begins as a copy of this file.
-std::string list_of_texts(const std::string& folder) {
-    return (fs::path(folder) / "languages" / "texts.toml").string();
+    return texts;
 }
 
 } // namespace
@@ -78,7 +73,7 @@ std::string list_of_texts(const std::string& folder) {
 TranslationGaps translation_gaps(const std::string& folder, const std::string& code) {
     const Language language = read_language(folder, code);
     TranslationGaps gaps;
-    for (const auto& [text, line] : lines_of_texts(list_of_texts(folder))) {
+    for (const std::string& text : listed_texts(folder)) {
         ++gaps.all_texts;
         if (language.texts.count(text) == 0) gaps.texts.push_back(text);
     }
@@ -97,20 +92,22 @@ TranslationGaps translation_gaps(const std::string& folder, const std::string& c
 }
 
 std::vector<Fault> text_faults(const std::string& path) {
-    const Language language = parse_language(read_file(path, largest_language), path);
-    const std::map<std::string, int> known = lines_of_texts(list_of_texts(lessons_folder_of(path)));
-    const toml::table root = parse_toml(read_file(path, largest_language), path);
     constexpr std::size_t most_text_faults = 200;
+    const std::string bytes = read_file(path, largest_language);
+    parse_language(bytes, path); // or throws
+    const toml::table root = parse_toml(bytes, path);
+    const std::set<std::string> known = listed_texts(lessons_folder_of(path));
     std::vector<Fault> faults;
-    for (const auto& [text, line] : lines_of_texts(path)) {
+    for (const auto& [key, node] : *root["texts"].as_table()) {
         if (faults.size() == most_text_faults) break;
-        const std::string translation = root["texts"][text].value_or(std::string());
+        const std::string text(key.str()), translation = node.value_or(std::string());
+        const int line = static_cast<int>(node.source().begin.line);
         if (known.count(text) == 0) {
             faults.push_back({line, "the program has no text " + in_quotes(text) + "."});
         } else if (!translation.empty() && !can_be_drawn(translation, text)) {
             faults.push_back({line, "the translation of " + in_quotes(text) +
                                         " must have letters, and no control characters."});
-        } else if (!translation.empty() && language.texts.count(text) == 0) {
+        } else if (!translation.empty() && places_in(translation) != places_in(text)) {
             const std::string places = places_in(text);
             faults.push_back(
                 {line, "the translation of " + in_quotes(text) +

@@ -60,11 +60,11 @@ done
     done
 } > "$scratch/core.cpp"
 for source in "$scratch/core.cpp" \
-        "$root"/src/base/{element_names,enumerated,files,language,nearest_name,numbers,quoted,text_parts,toml_input}.cpp \
+        "$root"/src/base/{element_names,enumerated,files,language,nearest_name,numbers,quoted,text_parts}.cpp \
         "$root/src/compare/divergence.cpp" \
         "$root/src/compare/divergence_text.cpp" "$here/added_varying.cpp"; do
     "$compiler" $flags -I "$scratch/whole" -I "$root/src" -c "$source" \
         -o "$scratch/$(basename "$source").o"
 done
-"$compiler" "$scratch"/*.o -lfmt -ltomlplusplus -o "$scratch/added_varying"
+"$compiler" "$scratch"/*.o -lfmt -o "$scratch/added_varying"
 "$scratch/added_varying"

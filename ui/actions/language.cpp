@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/language_files.h"
 #include "session/content.h"
 #include "ui/ui.h"
 #include "ui/widgets/language.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/files.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "base/toml_input.h"
 #include "ui/actions/kept_file.h"
 #include "ui/ui.h"

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
-#include "base/language.h"
+#include "base/language_files.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "cli/package_option.h"
