@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +22,7 @@
 
 #include "lessons/progress.h"
 #include "tests/endurance/random_actions.h"
+#include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
@@ -63,19 +63,6 @@ double resident() {
     long all = 0, here = 0;
     std::ifstream("/proc/self/statm") >> all >> here;
     return static_cast<double>(here) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / megabyte;
-}
-
-/// What is wrong with the last frame as it would be drawn; empty: nothing.
-std::string wrong_in_frame() {
-    const ImDrawData* const data = ImGui::GetDrawData();
-    if (data == nullptr || !data->Valid) return "no frame was drawn";
-    for (int i = 0; i < data->CmdListsCount; ++i) {
-        for (const ImDrawVert& corner : data->CmdLists[i]->VtxBuffer) {
-            if (!std::isfinite(corner.pos.x) || !std::isfinite(corner.pos.y))
-                return "a corner that is no number";
-        }
-    }
-    return {};
 }
 
 /// At rest, after each block.
@@ -126,7 +113,7 @@ int run(const std::string& folder, int actions, int from) {
         std::string what, wrong;
         try {
             what = random.act(i);
-            wrong = wrong_in_frame();
+            wrong = fault_of_frame();
         } catch (const std::exception& fault) {
             wrong = std::string("an exception, ") + fault.what();
         }

@@ -1,5 +1,6 @@
 #include "tests/ui/driver.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
@@ -77,6 +78,19 @@ bool Driver::tab_to(std::string_view name, Modifiers modifiers) {
         hand.press(key::tab, modifiers);
     }
     return false;
+}
+
+std::string fault_of_frame() {
+    const ImDrawData* const data = ImGui::GetDrawData();
+    if (data == nullptr || !data->Valid) return "no frame was drawn";
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        const ImDrawList& list = *data->CmdLists[i];
+        for (const ImDrawVert& corner : list.VtxBuffer) {
+            if (!std::isfinite(corner.pos.x) || !std::isfinite(corner.pos.y))
+                return std::string("a corner that is not a number in ") + list._OwnerName;
+        }
+    }
+    return {};
 }
 
 } // namespace rasterwalk

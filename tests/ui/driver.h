@@ -48,4 +48,8 @@ class Driver {
     Hand hand;
 };
 
+/// What is wrong with the last frame as it would be drawn: a corner without a place on the screen,
+/// and in which window. Empty: nothing.
+std::string fault_of_frame();
+
 } // namespace rasterwalk

@@ -66,6 +66,10 @@ InTexture in_texture(float coordinate, TextureWrap wrap) {
     return {part, 1.0f};
 }
 
+bool is_number(ImVec2 place) {
+    return std::isfinite(place.x) && std::isfinite(place.y);
+}
+
 /// From where the pixel lies to where the texture is read.
 void draw_shift(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float u) {
     list->AddCircleFilled(from, 3.0f * u, colour);
@@ -79,24 +83,25 @@ ImU32 colour_in_map(const Ui& ui, SurfaceMap use, const glm::vec3& colour) {
     return packed({colour.r, colour.g, colour.b, 1.0f});
 }
 
-void draw_map(Ui& ui, const MapReading& reading) {
+namespace {
+
+/// Where the whole map is drawn on the screen.
+struct MapArea {
+    ImVec2 low, size;
+
+    ImVec2 at(const glm::vec2& uv) const { return {low.x + uv.x * size.x, low.y + uv.y * size.y}; }
+};
+
+void draw_texels(const Ui& ui, const MapReading& reading, const MapArea& area) {
     const Texture& texture = *reading.map;
     std::size_t number = 0;
     while (std::max(texture.levels[number].width, texture.levels[number].height) > most_map_texels)
         ++number;
     const TextureLevel& level = texture.levels[number];
-    const float side = map_side * ui.options.text_scale;
-    const float width = static_cast<float>(texture.base().width);
-    const float height = static_cast<float>(texture.base().height);
-    const ImVec2 size{side * std::min(1.0f, width / height), side * std::min(1.0f, height / width)};
-    const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    const auto at = [&](const glm::vec2& uv) {
-        return ImVec2{low.x + uv.x * size.x, low.y + uv.y * size.y};
-    };
     const auto corner = [&](int column, int row) {
-        return at({static_cast<float>(column) / static_cast<float>(level.width),
-                   static_cast<float>(row) / static_cast<float>(level.height)});
+        return area.at({static_cast<float>(column) / static_cast<float>(level.width),
+                        static_cast<float>(row) / static_cast<float>(level.height)});
     };
     for (int row = 0; row < level.height; ++row) {
         for (int column = 0; column < level.width; ++column) {
@@ -104,45 +109,70 @@ void draw_map(Ui& ui, const MapReading& reading) {
                                 colour_in_map(ui, reading.use, level.at(column, row)));
         }
     }
-    const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
-    // Where the texture is read, mistakes included.
+}
+
+/// Where the texture is read, mistakes included, and what the pixel covers there. False, and
+/// nothing is drawn, if u or v is no number, as 0 / 0 is if zinv is wrong.
+bool draw_place(const Ui& ui, const MapReading& reading, const MapArea& area, bool is_shifted) {
+    const Frame& frame = ui.results.a.frame;
+    const TextureWrap wrap = frame.settings.texture_wrap;
     const auto read_at = [&](TextureDirection direction, int count) {
         const bool is_u = direction == TextureDirection::u;
-        return ui.results.a.frame.stages.texel_place(
-                   is_u ? reading.place.texcoord.x : reading.place.texcoord.y, direction, count) /
+        return frame.stages.texel_place(is_u ? reading.place.texcoord.x : reading.place.texcoord.y,
+                                        direction, count) /
                static_cast<float>(count);
     };
-    const float v_sign =
-        ui.results.a.frame.settings.texel_rule == TexelRule::upside_down ? -1.0f : 1.0f;
-    const InTexture u = in_texture(read_at(TextureDirection::u, texture.base().width), wrap),
-                    v = in_texture(read_at(TextureDirection::v, texture.base().height), wrap);
+    const float v_sign = frame.settings.texel_rule == TexelRule::upside_down ? -1.0f : 1.0f;
+    const TextureLevel& base = reading.map->base();
+    const InTexture u = in_texture(read_at(TextureDirection::u, base.width), wrap),
+                    v = in_texture(read_at(TextureDirection::v, base.height), wrap);
     const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign * v_sign};
+    const ImVec2 centre = area.at(place);
+    if (!is_number(centre)) return false;
+    const float thickness = 2.0f * ui.options.text_scale;
+    const ImU32 mark = packed(palette(ui.options.theme).changed);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->PushClipRect(area.low, {area.low.x + area.size.x, area.low.y + area.size.y}, true);
     const glm::vec2 right = half * reading.place.footprint.right,
                     down = half * reading.place.footprint.down;
-    const ImU32 mark = packed(palette(ui.options.theme).changed);
-    list->PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
-    list->AddQuad(at(place - right - down), at(place + right - down), at(place + right + down),
-                  at(place - right + down), mark, 2.0f * ui.options.text_scale);
-    const bool is_shifted = report_of(ui).parallax && reading.use != SurfaceMap::height_map;
+    const std::array covered{area.at(place - right - down), area.at(place + right - down),
+                             area.at(place + right + down), area.at(place - right + down)};
+    if (std::all_of(covered.begin(), covered.end(), is_number))
+        list->AddQuad(covered[0], covered[1], covered[2], covered[3], mark, thickness);
     if (is_shifted) {
         // Backward from the ring, so that both ends are on the map's side of a border.
-        const glm::vec2 way = reading.place.texcoord - reading.carried,
-                        shift{way.x * u.sign, way.y * v.sign * v_sign};
-        draw_shift(list, at(place - shift), at(place),
-                   packed(colour_of(Meaning::current, ui.options.theme)), ui.options.text_scale);
+        const glm::vec2 way = reading.place.texcoord - reading.carried;
+        const ImVec2 from = area.at(place - glm::vec2{way.x * u.sign, way.y * v.sign * v_sign});
+        if (is_number(from))
+            draw_shift(list, from, centre, packed(colour_of(Meaning::current, ui.options.theme)),
+                       ui.options.text_scale);
     }
     list->PopClipRect();
-    list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
-    ImGui::Dummy(size);
-    register_widget(
-        ui, "texture.map",
-        is_shifted
-            ? "The whole " + map_words(reading.use) +
-                  ". The arrow goes from where the pixel lies on the flat surface to where the "
-                  "height map shifts it: the ring. The box is what the pixel covers."
-            : "The whole " + map_words(reading.use) +
-                  ". The ring is where the pixel is, and the box around it is what the pixel "
-                  "covers.");
+    list->AddCircle(centre, ring * ui.options.text_scale, mark, 0, thickness);
+    return true;
+}
+
+} // namespace
+
+void draw_map(Ui& ui, const MapReading& reading) {
+    const Texture& texture = *reading.map;
+    const float side = map_side * ui.options.text_scale;
+    const float width = static_cast<float>(texture.base().width);
+    const float height = static_cast<float>(texture.base().height);
+    const MapArea area{
+        ImGui::GetCursorScreenPos(),
+        {side * std::min(1.0f, width / height), side * std::min(1.0f, height / width)}};
+    draw_texels(ui, reading, area);
+    const bool is_shifted = report_of(ui).parallax && reading.use != SurfaceMap::height_map;
+    const bool has_place = draw_place(ui, reading, area, is_shifted);
+    ImGui::Dummy(area.size);
+    const char* help =
+        !has_place ? ". There is no ring: u or v is not a number here."
+        : is_shifted
+            ? ". The arrow goes from where the pixel lies on the flat surface to where the height "
+              "map shifts it: the ring. The box is what the pixel covers."
+            : ". The ring is where the pixel is, and the box around it is what the pixel covers.";
+    register_widget(ui, "texture.map", "The whole " + map_words(reading.use) + help);
 }
 
 namespace {

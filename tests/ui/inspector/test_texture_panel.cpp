@@ -5,6 +5,7 @@
 #include "session/tabs.h"
 #include "tests/support/catch.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/screen_text.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"
 
@@ -100,6 +101,27 @@ TEST_CASE("A surface with only a normal map has the Texture tab") {
     follow_link(driver.ui, "set:normal_map=off");
     driver.hand.rest();
     CHECK(driver.hand.is_visible("texture.none"));
+}
+
+TEST_CASE("Where u or v is not a number, the map has no ring and says so") {
+    Driver driver("brick-heights.toml");
+    follow_link(driver.ui, "pixel:160,118");
+    follow_link(driver.ui, "tab:texture");
+    driver.hand.rest();
+    const auto help = [&] {
+        driver.hand.hover("texture.map");
+        return words_in("Tooltip");
+    };
+    CHECK(help().find("The ring") != std::string::npos);
+    // The row takes no zinv, so that u and v are 0 / 0.
+    follow_link(driver.ui, "set:row_search=column_only");
+    for (const char* const map : {"texture", "normal_map", "height_map"}) {
+        INFO(map);
+        driver.hand.click(std::string("texture.show.") + map);
+        driver.hand.rest();
+        CHECK(fault_of_frame() == "");
+        CHECK(help().find("There is no ring") != std::string::npos);
+    }
 }
 
 TEST_CASE("In a scene with textures their settings are on the sheet") {
