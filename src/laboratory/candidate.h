@@ -93,8 +93,8 @@ bool is_bug_id(std::string_view id);
 /// The most candidates that are listed.
 inline constexpr std::size_t most_candidates = 10;
 
-/// A candidate is likely if it explains at least this part of what is wrong, and spoils at most
-/// this part of what is right.
-inline constexpr double explains_nearly_all = 0.99, speaks_against = 0.001;
+/// A candidate is likely if it explains at least this part of what is wrong, spoils at most this
+/// part of what is right, and shows at least this part of the pixels that are not black.
+inline constexpr double explains_nearly_all = 0.99, speaks_against = 0.001, shows_enough = 0.5;
 
 } // namespace rasterwalk

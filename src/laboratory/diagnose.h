@@ -41,9 +41,12 @@ struct PicturesDrawn {
 class DiagnosisWork {
   public:
     /// Scene and bugs must outlive this.
-    /// @param name of the picture, for messages
+    /// @param name          of the picture, for messages
+    /// @param is_step_known the picture is known to show the reference's step of the strip; only
+    ///                      what is drawn at that step explains it
     DiagnosisWork(Image picture, const std::string& name, const Scene& scene,
-                  const Settings& reference, const std::vector<Bug>& bugs);
+                  const Settings& reference, const std::vector<Bug>& bugs,
+                  bool is_step_known = false);
     ~DiagnosisWork();
     DiagnosisWork(const DiagnosisWork&) = delete; // the trial refers to the picture
     DiagnosisWork& operator=(const DiagnosisWork&) = delete;
@@ -65,6 +68,7 @@ class DiagnosisWork {
 
   private:
     void ask();
+    std::vector<Attempt> search();
     void look_closely(const std::vector<Attempt>& tried);
     void refuse_too_much() const;
 
@@ -75,6 +79,7 @@ class DiagnosisWork {
     std::unique_ptr<PictureTrial> trial_;
     PicturesDrawn pictures_;
     Image right_picture_;
+    bool is_step_known_;
     bool is_affordable_ = false; ///< judged by the work of the reference
     bool is_stopped_ = false;
     std::optional<std::vector<Attempt>> tried_; ///< set once the search has ended

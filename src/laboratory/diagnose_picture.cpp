@@ -96,7 +96,8 @@ const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& 
 }
 
 /// Counts, pixel by pixel, the evidence for and against a candidate. What its own lamp or camera
-/// spoils and its mistakes mend again explains nothing.
+/// spoils and its mistakes mend again explains nothing; neither does what is black in both, which
+/// has many causes, unless what is drawn is explained too.
 /// @param base  the nearest without a mistake
 /// @param shown the one whose differences are reported
 void weigh(PictureTrial& trial, const Attempt& base, const Attempt& shown, Candidate& candidate) {
@@ -106,10 +107,13 @@ void weigh(PictureTrial& trial, const Attempt& base, const Attempt& shown, Candi
     };
     const std::int64_t wrong = trial.drawn(recipe_of(shown)).distance.different;
     const double own_part = part(counts.explained, counts.wrong);
-    candidate.explained = std::clamp(part(wrong - candidate.different, wrong), 0.0, own_part);
+    const double shown_part = counts.drawn_on > 0 ? part(counts.shown, counts.drawn_on) : 1.0;
+    candidate.explained =
+        std::clamp(part(wrong - candidate.different, wrong), 0.0, std::min(own_part, shown_part));
     const auto least_wrong = static_cast<double>(trial.drawn(recipe_of(base)).distance.different);
     candidate.is_likely =
-        own_part >= explains_nearly_all && part(counts.spoilt, counts.right) <= speaks_against &&
+        own_part >= explains_nearly_all && shown_part >= shows_enough &&
+        part(counts.spoilt, counts.right) <= speaks_against &&
         static_cast<double>(candidate.different) <= (1.0 - explains_nearly_all) * least_wrong;
 }
 
@@ -129,10 +133,11 @@ Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace sp
 }
 
 DiagnosisWork::DiagnosisWork(Image picture, const std::string& name, const Scene& scene,
-                             const Settings& reference, const std::vector<Bug>& bugs)
+                             const Settings& reference, const std::vector<Bug>& bugs,
+                             bool is_step_known)
     : picture_(std::move(picture)), name_(name), reference_(reference),
-      changes_(known_changes(bugs, scene)),
-      trial_(std::make_unique<PictureTrial>(picture_, scene)) {}
+      changes_(known_changes(bugs, scene)), trial_(std::make_unique<PictureTrial>(picture_, scene)),
+      is_step_known_(is_step_known) {}
 
 DiagnosisWork::~DiagnosisWork() = default;
 
@@ -150,7 +155,7 @@ void DiagnosisWork::stop_searching() {
     if (is_done() || tried_) return;
     is_stopped_ = true;
     trial_->stop_drawing();
-    tried_ = search_picture(*trial_, reference_, changes_);
+    tried_ = search();
     trial_->draw_again();
     pictures_ = {};
 }
@@ -166,11 +171,22 @@ void DiagnosisWork::ask() {
     }
     if (!tried_) {
         std::vector<Attempt> tried{{reference_, {}}};
-        if (apart.different > 0) tried = search_picture(trial, reference_, changes_);
+        if (apart.different > 0) tried = search();
         if (trial.is_waiting()) return;
         tried_ = std::move(tried);
     }
     look_closely(*tried_);
+}
+
+/// What was tried; the first is the reference.
+std::vector<Attempt> DiagnosisWork::search() {
+    std::vector<Attempt> tried = search_picture(*trial_, reference_, changes_);
+    if (is_step_known_) {
+        std::erase_if(tried, [&](const Attempt& attempt) {
+            return !(step_of(attempt.right) == step_of(reference_));
+        });
+    }
+    return tried;
 }
 
 void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {

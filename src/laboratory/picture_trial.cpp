@@ -220,6 +220,9 @@ double PictureTrial::compare(const Wanted& wanted, double most) {
             const bool was_right = is_right_[i], is_now = is_right(i);
             ++(was_right ? counts.right : counts.wrong);
             if (was_right != is_now) ++(is_now ? counts.explained : counts.spoilt);
+            if (is_black(picture_->rgba.data() + 4 * i)) continue;
+            ++counts.drawn_on;
+            if (is_now) ++counts.shown;
         }
         compared_.emplace(wanted, counts);
         wanted_.pop_front();

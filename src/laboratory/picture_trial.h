@@ -23,12 +23,15 @@ struct Drawn {
     std::uint64_t print = 0;
 };
 
-/// What a mistake does to the pixels of a picture drawn without it.
+/// What a mistake does to the pixels of a picture drawn without it, compared with the one that is
+/// to be explained.
 struct PixelCounts {
     std::int64_t wrong = 0;     ///< without the mistake
     std::int64_t explained = 0; ///< of these, right with it
     std::int64_t right = 0;     ///< without the mistake
     std::int64_t spoilt = 0;    ///< of these, wrong with it
+    std::int64_t drawn_on = 0;  ///< not black in the picture that is to be explained
+    std::int64_t shown = 0;     ///< of these, right with the mistake
 };
 
 /// A picture with what is needed of it at the end.

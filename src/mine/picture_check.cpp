@@ -58,6 +58,13 @@ bool is_mostly_black(const Image& picture) {
     return 3 * black_pixels(picture) > 2 * (picture.rgba.size() / 4);
 }
 
+/// Has it no more pixels than the triangles have corners? Edges have many more, and points in the
+/// wrong places are nearer to the right edges than to the right points.
+bool has_only_points(const Image& picture, const Scene& scene) {
+    const auto corners = 3 * static_cast<std::size_t>(scene.triangle_count());
+    return picture.rgba.size() / 4 - black_pixels(picture) <= corners;
+}
+
 /// The number of different colours, but no more than one above most_flat_colours.
 std::size_t colours_in(const Image& picture) {
     std::set<std::array<std::uint8_t, 3>> colours;
@@ -102,12 +109,14 @@ Image image_of(const Recording& recording) {
 
 StripStep nearest_step(const Image& picture, const Scene& scene, const Settings& settings) {
     const bool is_outline = is_mostly_black(picture);
+    const bool are_points = is_outline && has_only_points(picture, scene);
     const bool is_lit = colours_in(picture) > most_flat_colours;
     StripStep nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const StageInfo& info : stage_list()) {
         const Stage stage = info.step.stage;
         if (stage == Stage::rows || (is_outline != (stage < Stage::rows)) ||
+            (are_points && stage != Stage::points) ||
             (!is_outline && is_lit != (stage == Stage::shade)))
             continue;
         Settings tried = settings;
@@ -171,7 +180,8 @@ PictureCheck check_picture(const Recording& recording, const Scene& scene, const
     // Points and edges may have any colour, as long as they are where they belong.
     if (!has_fragments(check.reference.stage)) check.theirs = in_white(check.theirs);
     check.reference = with_nearest_rules(check.theirs, scene, check.reference, known);
-    DiagnosisWork work(check.theirs, "the picture of your program", scene, check.reference, bugs);
+    DiagnosisWork work(check.theirs, "the picture of your program", scene, check.reference, bugs,
+                       has_only_points(check.theirs, scene));
     const auto begin = std::chrono::steady_clock::now();
     while (!work.is_done()) {
         work.advance(frame_limit);

@@ -39,8 +39,9 @@ struct PictureCheck {
 Image image_of(const Recording& recording);
 
 /// The step of the strip whose picture comes nearest to this one, among those the lab asks for:
-/// points, edges, filled triangles, depth, light per vertex, light per pixel. Strength of light
-/// does not count, only whether there is any.
+/// points, edges, filled triangles, depth, light per vertex, light per pixel. A picture with at
+/// most as many pixels as there are corners of triangles shows points. Strength of light does not
+/// count, only whether there is any.
 StripStep nearest_step(const Image& picture, const Scene& scene, const Settings& settings);
 
 /// The equally right rules (rounding of vertices and lines, walk of lines) whose picture shows the

@@ -58,6 +58,23 @@ Image flipped(const Image& image, bool columns, bool rows) {
 
 } // namespace
 
+TEST_CASE("What is black in both pictures does not speak for a mistake") {
+    const Scene scene = lab_room();
+    Settings settings = default_settings(scene);
+    set_step(settings, {Stage::points});
+    // As if the room's points were in wrong places. Mistakes that leave everything black agree with
+    // nearly all other pixels.
+    Image picture = picture_of(scene, settings);
+    std::fill(picture.rgba.begin(), picture.rgba.end(), std::uint8_t{0});
+    for (std::size_t i = 0; i < 60; ++i)
+        std::fill_n(&picture.rgba[4 * (7 + 4001 * i)], 4, std::uint8_t{255});
+    const Diagnosis diagnosis = diagnose_picture(picture, scene, settings, read_bugs());
+    CAPTURE(diagnosis.verdict);
+    CHECK(likely_candidate(diagnosis) == nullptr);
+    for (const Candidate& candidate : diagnosis.candidates)
+        CHECK(candidate.explained < 0.5);
+}
+
 TEST_CASE("The reference itself has no difference") {
     const Scene scene = lab_room();
     const Settings reference = small(scene);
