@@ -311,6 +311,26 @@ TEST_CASE("the first wrong row is given with its numbers") {
     CHECK(check.difference.their_rows.right.pixels[0].x == 80.0);
 }
 
+TEST_CASE("rows that are missing are counted by the rule by which the program walks lines") {
+    // It multiplies steps, so its row 13 ends one column farther to the right than the handout's.
+    const auto multiplied = [](const StudentPixel& a, const StudentPixel& b, int count) {
+        const float steps = static_cast<float>(std::max(count - 1, 1));
+        const float x = static_cast<float>(b.x - a.x) / steps;
+        const float y = static_cast<float>(b.y - a.y) / steps;
+        return line_by(a, b, count, [&](int i) {
+            return std::pair(static_cast<int>(static_cast<float>(a.x) + static_cast<float>(i) * x),
+                             static_cast<int>(static_cast<float>(a.y) + static_cast<float>(i) * y));
+        });
+    };
+    expect_right(student_with_line(multiplied));
+    RowStyle short_of_one;
+    short_of_one.lacks_last_row = true;
+    const FunctionCheck check = check_of(student_with_line(multiplied, short_of_one), rows);
+    CHECK(check.bugs == Names{"B95"});
+    CHECK(check.first ==
+          "the lab's triangle of 31 rows: the table has 30 rows where 31 are right.");
+}
+
 TEST_CASE("mistakes in DrawPolygonRows are named or described") {
     const auto with = student_with_changed_draw;
     expect_bugs(with([](DrawStyle& s) { s.lacks_last = true; }), draw, {"B9"});

@@ -1,3 +1,4 @@
+#include <compare>
 #include <optional>
 
 #include "mine/functions/check_parts.h"
@@ -18,6 +19,7 @@ struct RowRule {
     std::string words;
     RuleSettings settings;
     std::vector<std::string> bugs, causes;
+    const RowRule* right = nullptr; ///< the same without its mistakes; null: not known
 };
 
 struct AskedPolygons {
@@ -128,6 +130,7 @@ const std::vector<RowRule>& mistaken_row_rules() {
                     change.bug != "B91" && change.bug != "B94")
                     continue;
                 RowRule& rule = made.emplace_back(right);
+                rule.right = &right;
                 change.make(rule.stages);
                 rule.settings.emplace_back(change.name, change.value);
                 rule.bugs.emplace_back(change.bug);
@@ -154,6 +157,13 @@ bool is_empty_row(const RowLists& lists, std::size_t row) {
     return lists.left.pixels[row].x > lists.right.pixels[row].x;
 }
 
+/// Has the answer these ends of a row, or are both empty there?
+bool has_same_ends(const PolygonRows& ours, const RowLists& theirs, std::size_t row) {
+    if (ours.is_empty_row(static_cast<int>(row)) && is_empty_row(theirs, row)) return true;
+    return theirs.left.pixels[row].x == ours.left[row].column &&
+           theirs.right.pixels[row].x == ours.right[row].column;
+}
+
 /// The first row in which the answer differs from a table; -1: none. A different number of rows
 /// differs in the first that is missing or too many.
 int first_other_row(const PolygonRows& ours, const RowLists& theirs) {
@@ -161,10 +171,7 @@ int first_other_row(const PolygonRows& ours, const RowLists& theirs) {
     const std::size_t common =
         std::min({size, theirs.left.pixels.size(), theirs.right.pixels.size()});
     for (std::size_t i = 0; i < common; ++i) {
-        if (ours.is_empty_row(static_cast<int>(i)) && is_empty_row(theirs, i)) continue;
-        if (theirs.left.pixels[i].x != ours.left[i].column ||
-            theirs.right.pixels[i].x != ours.right[i].column)
-            return static_cast<int>(i);
+        if (!has_same_ends(ours, theirs, i)) return static_cast<int>(i);
     }
     const bool same_size = theirs.left.size == ours.size() && theirs.right.size == ours.size();
     return same_size ? -1 : static_cast<int>(common);
@@ -179,14 +186,27 @@ bool explains_all_polygons(const RowRule& rule, const AskedPolygons& asked, Poly
     return true;
 }
 
-int count_same_polygons(const RowRule& rule, const AskedPolygons& asked) {
+/// How many polygons a rule fills alike, and how many rows of all of them.
+struct Alike {
+    int polygons = 0, rows = 0;
+
+    auto operator<=>(const Alike&) const = default;
+};
+
+Alike alike_by(const RowRule& rule, const AskedPolygons& asked) {
     PolygonRows room;
-    int same = 0;
+    Alike alike;
     for (int i = 0; i < asked.count(); ++i) {
+        const RowLists& theirs = asked.answer(i);
         fill_rows(rule, i, asked, room);
-        if (first_other_row(room, asked.answer(i)) < 0) ++same;
+        if (first_other_row(room, theirs) < 0) ++alike.polygons;
+        const std::size_t common =
+            std::min({static_cast<std::size_t>(room.size()), theirs.left.pixels.size(),
+                      theirs.right.pixels.size()});
+        for (std::size_t row = 0; row < common; ++row)
+            alike.rows += has_same_ends(room, theirs, row) ? 1 : 0;
     }
-    return same;
+    return alike;
 }
 
 /// The same answers with something undone that the laboratory lacks.
@@ -215,12 +235,13 @@ const RowRule* first_that_explains(const std::vector<RowRule>& rules, const Aske
     return nullptr;
 }
 
-const RowRule& closest_row_rule(const AskedPolygons& asked, int& most) {
-    const RowRule* closest = &right_row_rules().front();
-    most = -1;
+/// The right rule that fills the most polygons alike, and of those the most rows.
+const RowRule& closest_row_rule(const AskedPolygons& asked) {
+    const RowRule* closest = nullptr;
+    Alike most;
     for (const RowRule& rule : right_row_rules()) {
-        const int same = count_same_polygons(rule, asked);
-        if (same > most) most = same, closest = &rule;
+        const Alike alike = alike_by(rule, asked);
+        if (closest == nullptr || alike > most) most = alike, closest = &rule;
     }
     return *closest;
 }
@@ -295,11 +316,9 @@ void explain_tables(const AskedPolygons& asked, FunctionCheck& check) {
                 "; this is the handout's own rule, which loses the end of some edges (B1)";
         return;
     }
-    int most = 0;
-    const RowRule& closest = closest_row_rule(asked, most);
-    check.right = most;
-    check.rules = closest.settings;
+    const RowRule* closest = &closest_row_rule(asked);
     PolygonRows room;
+    bool is_by_known_rule = false;
     for (const RowRule& rule : mistaken_row_rules()) {
         const bool is_known = (!rule.bugs.empty() && std::find(check.bugs.begin(), check.bugs.end(),
                                                                rule.bugs[0]) != check.bugs.end());
@@ -308,7 +327,14 @@ void explain_tables(const AskedPolygons& asked, FunctionCheck& check) {
             add_once(bug, check.bugs);
         for (const std::string& cause : rule.causes)
             add_once(cause, check.causes);
+        // The program's own rule gives the right numbers, not one that happens to be nearer.
+        if (is_by_known_rule || rule.right == nullptr) continue;
+        closest = rule.right;
+        is_by_known_rule = true;
     }
+    const int most = alike_by(*closest, asked).polygons;
+    check.right = most;
+    check.rules = closest->settings;
     if (check.bugs.empty() && check.causes.empty()) {
         for (const UndoneTrap& trap : row_traps) {
             std::vector<RowLists> undone = asked.answers;
@@ -319,19 +345,19 @@ void explain_tables(const AskedPolygons& asked, FunctionCheck& check) {
         }
     }
     const bool is_named = !check.bugs.empty() || !check.causes.empty();
-    if (!is_named && is_within_row_rounding(closest, asked)) {
+    if (!is_named && is_within_row_rounding(*closest, asked)) {
         check.right = asked.count();
         check.rule = fmt::format("within the rounding of a pixel everywhere; {} of {} polygons as "
                                  "if {}",
-                                 most, asked.count(), closest.words);
+                                 most, asked.count(), closest->words);
         return;
     }
     set_wrong(check);
     for (int i = 0; i < asked.count(); ++i) {
-        fill_rows(closest, i, asked, room);
+        fill_rows(*closest, i, asked, room);
         const int row = first_other_row(room, asked.answer(i));
         if (row < 0) continue;
-        say_row_difference(closest, i, row, asked, check);
+        say_row_difference(*closest, i, row, asked, check);
         return;
     }
 }
