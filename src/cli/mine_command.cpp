@@ -148,8 +148,35 @@ void write_new_program(const std::string& folder, std::ostream& err) {
     err << "rasterwalk: a program to begin with is in " << in_quotes(folder) << ".\n";
 }
 
+/// Throws AccessError if a file cannot be written because its folder is missing: this is said
+/// before the programs are checked, which may take an hour.
+void expect_folder_of(const std::string& path) {
+    std::error_code fault;
+    const std::filesystem::path folder = std::filesystem::absolute(path, fault).parent_path();
+    if (!std::filesystem::is_directory(folder, fault))
+        throw AccessError(fmt::format("cannot write {}: there is no folder {}.", in_quotes(path),
+                                      in_quotes(folder.string())));
+}
+
+/// The program that a path names. One that is none is a hand-in with a fault if a table is wanted:
+/// a table that is missing would end the merge of all others.
+StudentFiles named_program(const std::string& path, bool wants_table) {
+    try {
+        return find_student_files(path);
+    } catch (const InputError& fault) {
+        if (!wants_table) throw;
+        StudentFiles files;
+        files.name = std::filesystem::path(path).lexically_normal().filename().string();
+        if (files.name.empty()) files.name = path;
+        files.folder = path;
+        files.fault = fault.what();
+        return files;
+    }
+}
+
 /// The programs to check: one, or those of a folder of hand-ins.
-std::vector<StudentFiles> programs_of(const std::vector<std::string>& paths, bool& is_single) {
+std::vector<StudentFiles> programs_of(const std::vector<std::string>& paths, bool wants_table,
+                                      bool& is_single) {
     std::vector<StudentFiles> programs;
     is_single = paths.size() == 1;
     for (const std::string& path : paths) {
@@ -159,37 +186,58 @@ std::vector<StudentFiles> programs_of(const std::vector<std::string>& paths, boo
             is_single = false;
             programs.insert(programs.end(), hand_ins.begin(), hand_ins.end());
         } else {
-            programs.push_back(find_student_files(path));
+            programs.push_back(named_program(path, wants_table || paths.size() > 1));
         }
     }
     return programs;
 }
 
+/// "B88a >= instead of >", or of several just as likely ones "B5 or B12"; empty: none is known.
+std::string named_bugs(const Json& mistake) {
+    const std::vector<std::string> bugs = texts_of(mistake, "bugs"),
+                                   names = texts_of(mistake, "names");
+    if (bugs.size() == 1 && names.size() == 1) return bugs.front() + ' ' + names.front();
+    return fmt::format("{}", fmt::join(bugs, " or "));
+}
+
+/// The line of a program in the table, after its name; empty if there is nothing to say.
+std::string summary_of(const Json& program) {
+    if (const std::string fault = fault_of(program); !fault.empty()) return fault;
+    if (!is_set(program, "compiles")) return "it does not compile";
+    const Json& mistakes = program["mistakes"];
+    if (!mistakes.is_array() || mistakes.empty()) return {};
+    const std::string bugs = named_bugs(mistakes.front());
+    return bugs + (bugs.empty() ? "" : ". ") + text_of(mistakes.front(), "sentence");
+}
+
 void print_summary(const Json& table, std::ostream& out) {
     for (const Json& program : table) {
-        out << fmt::format("{:<12}{}", verdict_words(program), program["name"].get<std::string>());
-        const Json& mistakes = program["mistakes"];
-        if (!is_set(program, "compiles")) {
-            out << ": it does not compile";
-        } else if (mistakes.is_array() && !mistakes.empty() && mistakes.front().is_object() &&
-                   mistakes.front().contains("sentence") &&
-                   mistakes.front()["sentence"].is_string()) {
-            out << ": " << mistakes.front()["sentence"].get<std::string>();
-        }
-        out << '\n';
+        const std::string summary = summary_of(program);
+        out << fmt::format("{:<12}{}{}{}\n", verdict_words(program), text_of(program, "name"),
+                           summary.empty() ? "" : ": ", summary);
     }
 }
 
 ExitCode print_table(const Json& table, const MineOptions& options, std::ostream& out) {
-    if (!options.html.empty()) write_file(options.html, html_page(table));
+    // Before the page: if that cannot be written, the work of an hour is not lost.
     if (options.json) {
         print_json(table, out);
-    } else if (options.html.empty() || options.merge) {
+    } else {
         print_summary(table, out);
     }
+    if (!options.html.empty()) write_file(options.html, html_page(table));
     const bool all_right = std::all_of(
         table.begin(), table.end(), [](const Json& program) { return is_set(program, "right"); });
     return all_right ? ExitCode::done : ExitCode::difference;
+}
+
+/// One program that was named and is none, for a table.
+[[noreturn]] void print_not_checked(const StudentFiles& files, const MineOptions& options,
+                                    std::ostream& out) {
+    const Json row = row_not_checked(files, files.fault);
+    if (options.json) print_json(row, out);
+    if (!options.html.empty()) write_file(options.html, html_page(Json::array({row})));
+    throw InputError(files.fault);
 }
 
 /// One program that was named: in words.
@@ -216,9 +264,13 @@ ExitCode mine_command(const MineOptions& options, std::ostream& out, std::ostrea
     }
     if (options.paths.empty())
         throw UsageError("mine needs a .cpp file, a folder, or --new FOLDER.");
+    if (!options.html.empty()) expect_folder_of(options.html);
     if (options.merge) return print_table(merged_tables(options.paths), options, out);
     bool is_single = true;
-    const std::vector<StudentFiles> programs = programs_of(options.paths, is_single);
+    const bool wants_table = options.json || !options.html.empty();
+    const std::vector<StudentFiles> programs = programs_of(options.paths, wants_table, is_single);
+    if (is_single && !programs.front().fault.empty())
+        print_not_checked(programs.front(), options, out);
     const std::vector<Bug> bugs = read_bugs();
     const LabScenes lab = read_lab_scenes();
     CheckProgramOptions how;
@@ -229,14 +281,17 @@ ExitCode mine_command(const MineOptions& options, std::ostream& out, std::ostrea
     how.is_stopped = [&] { return interrupt.was_interrupted(); };
     Json table = Json::array();
     for (const StudentFiles& files : programs) {
+        if (!files.fault.empty()) {
+            table.push_back(row_not_checked(files, files.fault));
+            continue;
+        }
         how.say = [&](std::string_view what) {
             progress.say(fmt::format("{}: {}", files.name, what));
         };
         const CheckedProgram checked = check_program(files, lab, bugs, how);
         progress.clear();
         if (interrupt.was_interrupted()) break;
-        if (!is_single || options.json || !options.html.empty())
-            table.push_back(to_json(checked, bugs));
+        if (!is_single || wants_table) table.push_back(to_json(checked, bugs));
         if (is_single) return print_single(checked, bugs, table, options, out);
     }
     const ExitCode found = print_table(table, options, out);

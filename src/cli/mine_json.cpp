@@ -164,13 +164,40 @@ Json to_json(const CheckedProgram& checked, const std::vector<Bug>& bugs) {
     return object;
 }
 
+Json row_not_checked(const StudentFiles& files, const std::string& fault) {
+    const Json none = Json::array();
+    return {{"compiles", false},  {"fault", fault},   {"folder", files.folder},
+            {"functions", none},  {"judged", false},  {"keys", none},
+            {"main", ""},         {"messages", none}, {"mistakes", none},
+            {"name", files.name}, {"right", false}};
+}
+
 bool is_set(const Json& object, const char* key) {
     if (!object.is_object()) return false;
     const auto found = object.find(key);
     return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
+std::string text_of(const Json& object, const char* key) {
+    if (!object.is_object()) return {};
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::vector<std::string> texts_of(const Json& object, const char* key) {
+    std::vector<std::string> texts;
+    if (!object.is_object() || !object.contains(key)) return texts;
+    for (const Json& one : object[key])
+        if (one.is_string()) texts.push_back(one.get<std::string>());
+    return texts;
+}
+
+std::string fault_of(const Json& program) {
+    return text_of(program, "fault");
+}
+
 std::string_view verdict_words(const Json& program) {
+    if (!fault_of(program).empty()) return "not checked";
     if (is_set(program, "right")) return "right";
     return is_set(program, "judged") ? "differs" : "not judged";
 }

@@ -38,10 +38,8 @@ figcaption { color: var(--quiet); font-size: 13px; }
 )";
 
 /// A text of an object, escaped; empty if it has none.
-std::string text_of(const Json& object, const char* key) {
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    if (!object.is_object() || found == object.end() || !found->is_string()) return {};
-    return in_html(found->get<std::string>());
+std::string escaped(const Json& object, const char* key) {
+    return in_html(text_of(object, key));
 }
 
 std::int64_t number_of(const Json& object, const char* key) {
@@ -69,7 +67,7 @@ const Json& object_of(const Json& object, const char* key) {
 std::string place_text(const Json& object) {
     const std::int64_t line = number_of(object, "line");
     if (line <= 0) return {};
-    std::string file = text_of(object, "file");
+    std::string file = escaped(object, "file");
     if (const std::size_t slash = file.rfind('/'); slash != std::string::npos)
         file.erase(0, slash + 1);
     return fmt::format("<code>{}:{}</code> ", file, line);
@@ -87,12 +85,12 @@ std::string mistake_text(const Json& mistake) {
             html += ' ' + in_html(names[i].get<std::string>());
     }
     if (!bugs.empty()) html += ". ";
-    return html + text_of(mistake, "sentence");
+    return html + escaped(mistake, "sentence");
 }
 
 /// A picture if it is one of ours: an address of any other kind could load something.
 std::string picture_html(const Json& picture, const char* key, std::string_view caption) {
-    const std::string address = text_of(picture, key);
+    const std::string address = escaped(picture, key);
     if (!address.starts_with("data:image/png;base64,")) return {};
     return fmt::format("<figure><img alt=\"{}\" src=\"{}\"><figcaption>{}</figcaption></figure>\n",
                        caption, address, caption);
@@ -102,7 +100,7 @@ std::string picture_html(const Json& picture, const char* key, std::string_view 
 std::string functions_text(const Json& program) {
     int right = 0, written = 0;
     for (const Json& function : list_of(program, "functions")) {
-        const std::string state = text_of(function, "state");
+        const std::string state = escaped(function, "state");
         if (state.starts_with("not ")) continue; // not written yet, not found, not asked
         ++written;
         if (state == "right") ++right;
@@ -125,7 +123,7 @@ std::string_view class_of(std::string_view words) {
 
 /// The step that a program has reached: "vertex light".
 std::string stage_words(const Json& program) {
-    std::string words = text_of(object_of(program, "picture"), "stage");
+    std::string words = escaped(object_of(program, "picture"), "stage");
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
 }
@@ -133,7 +131,9 @@ std::string stage_words(const Json& program) {
 std::string row_html(const Json& program, std::size_t index) {
     const std::string_view verdict = verdict_words(program);
     std::string first;
-    if (!is_set(program, "compiles")) {
+    if (const std::string fault = fault_of(program); !fault.empty()) {
+        first = in_html(fault);
+    } else if (!is_set(program, "compiles")) {
         first = "It does not compile.";
     } else if (const Json& mistakes = list_of(program, "mistakes"); !mistakes.empty()) {
         first = mistake_text(mistakes.front());
@@ -143,7 +143,7 @@ std::string row_html(const Json& program, std::size_t index) {
     return fmt::format("<tr><td><a href=\"#p{}\">{}</a></td><td class=\"{}\">{}</td><td>{}</td>"
                        "<td class=\"number\">{}</td><td>{}</td><td class=\"number\">{}</td>"
                        "<td>{}</td></tr>\n",
-                       index, text_of(program, "name"), class_of(verdict), verdict,
+                       index, escaped(program, "name"), class_of(verdict), verdict,
                        stage_words(program), functions_text(program), picture_words(program),
                        faults, first);
 }
@@ -153,7 +153,7 @@ std::string messages_html(const Json& program) {
     for (const Json& message : list_of(program, "messages")) {
         if (!is_set(message, "error")) continue;
         html += fmt::format("<p>{}{} <span class=\"quiet\">{}</span></p>\n", place_text(message),
-                            text_of(message, "text"), text_of(message, "cause"));
+                            escaped(message, "text"), escaped(message, "cause"));
     }
     return html;
 }
@@ -161,7 +161,7 @@ std::string messages_html(const Json& program) {
 std::string functions_html(const Json& program) {
     std::string html;
     for (const Json& function : list_of(program, "functions")) {
-        const std::string state = text_of(function, "state");
+        const std::string state = escaped(function, "state");
         const bool has_counts = !state.starts_with("not ");
         const std::string counts = has_counts
                                        ? fmt::format("{} of {}", number_of(function, "right"),
@@ -170,15 +170,17 @@ std::string functions_html(const Json& program) {
         html += fmt::format("<tr><td><code>{}</code></td><td class=\"{}\">{}</td>"
                             "<td class=\"number\">{}</td><td>{} <span class=\"quiet\">{}"
                             "</span></td></tr>\n",
-                            text_of(function, "name"), class_of(state), state, counts,
-                            text_of(function, "first"), text_of(function, "rule"));
+                            escaped(function, "name"), class_of(state), state, counts,
+                            escaped(function, "first"), escaped(function, "rule"));
     }
     return html.empty() ? html : "<table>\n" + html + "</table>\n";
 }
 
 std::string section_html(const Json& program, std::size_t index) {
     std::string html =
-        fmt::format("<section id=\"p{}\">\n<h2>{}</h2>\n", index, text_of(program, "name"));
+        fmt::format("<section id=\"p{}\">\n<h2>{}</h2>\n", index, escaped(program, "name"));
+    if (const std::string fault = fault_of(program); !fault.empty())
+        html += "<p>" + in_html(fault) + "</p>\n";
     html += messages_html(program);
     for (const Json& mistake : list_of(program, "mistakes"))
         html += "<p>" + mistake_text(mistake) + "</p>\n";
@@ -201,6 +203,8 @@ std::string html_page(const Json& programs) {
     html += fmt::format("<h1>{} of {} programs are right", count("right"), programs.size());
     if (const auto open = count("not judged"); open > 0)
         html += fmt::format(", {} could not be judged", open);
+    if (const auto left = count("not checked"); left > 0)
+        html += fmt::format(", {} not checked", left);
     html += "</h1>\n<table>\n<tr><th>program</th><th></th><th>step</th><th>functions</th>"
             "<th>picture</th><th>faults</th><th>fix first</th></tr>\n";
     for (std::size_t i = 0; i < programs.size(); ++i)

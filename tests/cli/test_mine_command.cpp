@@ -197,6 +197,44 @@ TEST_CASE("mine checks a folder of hand-ins: table, page, and tables put togethe
     CHECK(only_right.out == "right       a-right\n");
 }
 
+TEST_CASE("a hand-in that cannot be checked has a line, and the others are checked") {
+    const TemporaryFolder folder, tables;
+    for (const char* const name : {"a-none", "b-empty", "c-empty"})
+        std::filesystem::create_directory(folder.file(name));
+    folder.write("a-none/lab.cpp", "int WinMain() { }\n");
+    folder.write("b-empty/lab.cpp", empty_program());
+    folder.write("c-empty/lab.cpp", empty_program());
+    folder.write("d.zip", "PK");
+    const std::string page = tables.file("page.html");
+    const CliRun result = run_mine({folder.file(""), "--html", page});
+    CAPTURE(result.out, result.err);
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.out,
+               ContainsSubstring("not checked a-none: no source in this folder has a main().\n"));
+    CHECK_THAT(result.out, ContainsSubstring("differs     b-empty: "));
+    CHECK_THAT(result.out, ContainsSubstring("differs     c-empty: "));
+    CHECK_THAT(result.out, ContainsSubstring("not checked d.zip: an archive must be unpacked "
+                                             "first.\n"));
+    const std::string html = test::bytes_of(page);
+    CHECK_THAT(html, ContainsSubstring("<h1>0 of 4 programs are right, 2 not checked</h1>"));
+
+    // By itself: a sentence, and a table all the same.
+    const CliRun single = run_mine({folder.file("a-none"), "--json"});
+    CHECK(single.exit_code == 3);
+    CHECK_THAT(single.err, ContainsSubstring("no source in this folder has a main()."));
+    const CliRun merged = run_mine({"--merge", tables.write("a.json", single.out)});
+    CHECK_THAT(merged.out, ContainsSubstring("not checked a-none: "));
+}
+
+TEST_CASE("mine says that a page cannot be written before it checks anything") {
+    const TemporaryFolder folder;
+    const std::string program = folder.write("lab.cpp", empty_program());
+    const CliRun result = run_mine({program, "--html", folder.file("gone/page.html")});
+    CHECK(result.exit_code == 4);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, ContainsSubstring("there is no folder"));
+}
+
 TEST_CASE("a program that could not be judged is not said to differ") {
     const TemporaryFolder folder;
     const std::string table = folder.write("table.json", R"([
@@ -207,7 +245,7 @@ TEST_CASE("a program that could not be judged is not said to differ") {
     const std::string page = folder.file("page.html");
     const CliRun result = run_mine({"--merge", table, "--html", page});
     CHECK(result.exit_code == 1);
-    CHECK(result.out == "not judged  a\ndiffers     b: Rows are missing.\nright       c\n");
+    CHECK(result.out == "not judged  a\ndiffers     b: B5. Rows are missing.\nright       c\n");
     CHECK_THAT(test::bytes_of(page),
                ContainsSubstring("<h1>1 of 3 programs are right, 1 could not be judged</h1>"));
 }

@@ -194,12 +194,24 @@ TEST_CASE("Hand-ins are the programs of a folder") {
     write_below(folder, "notes/readme.txt", "nothing");
     write_below(folder, "dan/a.cpp", some_main);
     write_below(folder, "dan/b.cpp", some_main);
+    write_below(folder, "eva/lab.cpp", "int WinMain() { }\n");
     folder.write("bo.cpp", some_main);
     folder.write("helper.cpp", "void help() { }\n");
-    std::string names;
+    folder.write("fia.ZIP", "PK");
+    fs::create_directory(folder.file("gun"));
+    std::string found;
     for (const StudentFiles& files : find_hand_ins(folder.file(""))) {
-        names += files.name + "(" + file_name(files.main) + ") ";
+        CHECK(files.fault.empty() == !files.main.empty());
+        found +=
+            files.name + ": " + (files.fault.empty() ? file_name(files.main) : files.fault) + "\n";
     }
-    // dan's is listed, so that it is not forgotten.
-    CHECK(names == "anna(skeleton.cpp) bo.cpp(bo.cpp) cecilia(main.cpp) dan() ");
+    // Nobody's is forgotten.
+    CHECK(found == "anna: skeleton.cpp\n"
+                   "bo.cpp: bo.cpp\n"
+                   "cecilia: main.cpp\n"
+                   "dan: several sources have a main(): a.cpp, b.cpp. Name one of them.\n"
+                   "eva: no source in this folder has a main().\n"
+                   "fia.ZIP: an archive must be unpacked first.\n"
+                   "gun: the folder is empty.\n"
+                   "notes: no C++ source is in this folder.\n");
 }

@@ -108,6 +108,10 @@ bool is_header_name(std::string_view path) {
     return has_ending(path, {".h", ".hh", ".hpp", ".hxx", ".inl"});
 }
 
+bool is_archive_name(std::string_view path) {
+    return has_ending(path, {".zip", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".7z", ".rar"});
+}
+
 bool is_name_of_copy(std::string_view path) {
     const std::string stem = in_small_letters(file_stem(path));
     const auto is_letter = [&stem](std::size_t at) {

@@ -29,6 +29,9 @@ bool is_source_name(std::string_view path);
 /// Is it the name of a C++ header: .h, .hh, .hpp, .hxx, .inl, in any case?
 bool is_header_name(std::string_view path);
 
+/// Is it the name of an archive: .zip, .tar, .tar.gz, .7z ..., in any case?
+bool is_archive_name(std::string_view path);
+
 /// Does a name say that the file is a copy of another: "draw_backup.cpp", "Copy of draw.cpp",
 /// "draw (2).cpp"?
 bool is_name_of_copy(std::string_view path);

@@ -213,6 +213,37 @@ bool has_sources(const std::string& folder) {
                        [](const FoundFile& file) { return is_source_name(file.path); });
 }
 
+/// A hand-in that cannot be checked.
+StudentFiles not_checked(const std::string& path, const std::string& fault) {
+    StudentFiles files;
+    files.name = file_name(path);
+    files.folder = absolute(path);
+    files.fault = fault;
+    return files;
+}
+
+/// The sentence of an error without the path that it begins with.
+std::string without_path(std::string_view sentence, const std::string& path) {
+    const std::string before = path + ": ";
+    if (sentence.starts_with(before)) sentence.remove_prefix(before.size());
+    return std::string(sentence);
+}
+
+/// What else is in a folder of hand-ins and may be one: folders without sources, and archives.
+void add_others(const std::string& folder, std::vector<StudentFiles>& found) {
+    for (const std::string& inner : folders_in(folder)) {
+        std::error_code fault;
+        const bool is_empty = fs::is_empty(inner, fault) && !fault;
+        if (!has_sources(inner))
+            found.push_back(not_checked(inner, is_empty ? "the folder is empty."
+                                                        : "no C++ source is in this folder."));
+    }
+    for (const FoundFile& file : files_in(folder, 0)) {
+        if (is_archive_name(file.path))
+            found.push_back(not_checked(file.path, "an archive must be unpacked first."));
+    }
+}
+
 } // namespace
 
 bool defines_main(std::string_view source) {
@@ -248,8 +279,9 @@ std::vector<StudentFiles> find_hand_ins(const std::string& folder) {
     for (const std::string& inner : folders_in(folder)) {
         try {
             found.push_back(program_of_folder(inner));
-        } catch (const Error&) {
-            if (has_sources(inner)) found.push_back({file_name(inner), absolute(inner), {}, {}});
+        } catch (const Error& fault) {
+            if (has_sources(inner))
+                found.push_back(not_checked(inner, without_path(fault.what(), inner)));
         }
     }
     for (const FoundFile& file : files_in(folder, 0)) {
@@ -257,6 +289,8 @@ std::vector<StudentFiles> find_hand_ins(const std::string& folder) {
             found.push_back(program_of_file(file.path));
         }
     }
+    // A single program may have folders and archives next to it.
+    if (found.size() > 1) add_others(folder, found);
     std::sort(found.begin(), found.end(), [](const StudentFiles& a, const StudentFiles& b) {
         return a.name != b.name ? a.name < b.name : a.folder < b.folder;
     });

@@ -14,6 +14,7 @@ struct StudentFiles {
     std::string folder;               ///< where it is, and where it runs
     std::string main;                 ///< the source with main()
     std::vector<std::string> sources; ///< the others that are compiled with it
+    std::string fault;                ///< why it cannot be checked, a sentence; empty: it can
 };
 
 /// The program of a .cpp file (alone, or with the other sources of its folder if it needs them) or
@@ -25,8 +26,8 @@ struct StudentFiles {
 StudentFiles find_student_files(const std::string& path);
 
 /// The hand-ins of a folder: each folder in it with a program, or each source in it with a main().
-/// Sorted by name. Empty: it is no folder of hand-ins. A folder with sources but without one main()
-/// is listed with an empty `main`; find_student_files() of it says what is wrong.
+/// Sorted by name. Empty: it is no folder of hand-ins. Nobody's is forgotten: a folder without
+/// sources or without one main(), and among other hand-ins an archive, are listed with a `fault`.
 std::vector<StudentFiles> find_hand_ins(const std::string& folder);
 
 /// Does this source define main()? Comments and strings do not count.
