@@ -27,6 +27,7 @@
 #include "cli/visible_output.h"
 #include "mine/compile/project_folder.h"
 #include "opening/opened_view.h"
+#include "opening/view_link.h"
 #include "opening/view_options.h"
 #include "session/content.h"
 
@@ -78,8 +79,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     line.app.require_subcommand(0, 1);
     line.app
         .add_option("FILE", line.view.file,
-                    "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open "
-                    "in the window")
+                    "Scene (.toml), model (.obj), lesson (.md), saved view (.walk.toml), your own "
+                    "program (.cpp), or link of the page to open in the window")
         ->type_name("");
     line.app
         .add_option("--code", line.code,
@@ -340,6 +341,21 @@ bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& 
     }
 }
 
+/// Takes over the view of a link: "https://example.edu/cg/#lesson=05-row-table", or only what
+/// begins at its #.
+void take_link(ViewOptions& view) {
+    const std::string link = std::exchange(view.file, {});
+    if (!(view == ViewOptions{})) throw UsageError("a link and options cannot be given together.");
+    view = parse_view_link(std::string_view(link).substr(link.find('#')));
+}
+
+bool is_link(const std::string& file) {
+    const std::size_t hash = file.find('#');
+    std::error_code ignored;
+    return hash != file.npos && (hash == 0 || file.find("://") < hash) &&
+           !std::filesystem::exists(file, ignored);
+}
+
 void open_window_on(const ViewOptions& view, CliRequest& request) {
     const std::string& name = !view.file.empty()     ? view.file
                               : !view.lesson.empty() ? view.lesson
@@ -362,6 +378,7 @@ void open_window_on(const ViewOptions& view, CliRequest& request) {
 
 void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
+        if (is_link(line.view.file)) take_link(line.view);
         if (line.code.empty() && is_source_name(line.view.file))
             std::swap(line.code, line.view.file);
         request.code = line.code;

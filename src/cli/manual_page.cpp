@@ -87,6 +87,27 @@ std::string part_on(const CLI::App& command, const std::vector<ShownOption>& exp
                        footer_of(command));
 }
 
+/// What the help of the program with the commands has no place for.
+constexpr std::string_view surroundings = R"(.SH ENVIRONMENT
+.TP
+\fBRASTERWALK_LESSONS\fR
+A folder of lessons, scenes and models in place of those that were installed.
+.TP
+\fBRASTERWALK_PAGE\fR
+The address of the course's page; links to a view that are copied begin with it.
+.SH FILES
+.TP
+\fIshare/rasterwalk/lessons\fR
+The lessons, below the folder that the program was installed in. README.md, TEACHING.md,
+CHECKING\-HAND\-INS.md and ON\-THE\-WEB.md are in it.
+.TP
+\fI~/.local/state/rasterwalk\fR
+The progress in the lessons and the look of the window.
+.TP
+\fI~/.cache/rasterwalk\fR
+Compiled headers for programs that were checked. It may be deleted.
+)";
+
 } // namespace
 
 std::string manual_page(const CLI::App& app) {
@@ -110,6 +131,7 @@ std::string manual_page(const CLI::App& app) {
     if (!commands.empty()) page += ".SH COMMANDS\n";
     for (const CLI::App* command : commands)
         page += part_on(*command, options);
+    if (!commands.empty()) page += surroundings;
     return page + ".SH NOTES\n" + footer_of(app);
 }
 

@@ -231,6 +231,15 @@ TEST_CASE("rows refuses settings that rows do not depend on, and endless polygon
     expect(arguments, 2, "a polygon may have at most 1000 points.");
 }
 
+TEST_CASE("A link that is not one of the page ends with exit code 2") {
+    expect({"#lesson=05-row-tabel"}, 2,
+           "there is no lesson '05-row-tabel'. Did you mean '05-row-table'?");
+    expect({"https://example.edu/#light=3"}, 2, "a link cannot set 'light'.");
+    expect({"--stage", "fill", "#stage=edges"}, 2, "a link and options cannot be given together.");
+    CHECK(run({"#scene=../../secret.toml"}).exit_code == 2);
+    CHECK(run({"stats", "#stage=edges"}).exit_code == 4); // as FILE, and there is none
+}
+
 TEST_CASE("Unknown words on the command line end with exit code 2") {
     expect({"rendr"}, 2,
            "there is neither a command nor a file named 'rendr'. Did you mean 'render'?");

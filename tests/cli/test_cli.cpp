@@ -115,6 +115,18 @@ TEST_CASE("Without a command the window is opened, with the lab's room or the na
     CHECK_FALSE(run({"--help"}).request.open_window);
 }
 
+TEST_CASE("A link of the page opens the same view in the window") {
+    for (const char* const before : {"", "https://example.edu/cg/", "file:///site/index.html"}) {
+        INFO(before);
+        const CliRun result = run({before + std::string("#lesson=05-row-table&step=3")});
+        REQUIRE(result.exit_code == 0);
+        CHECK(result.request.open_window);
+        CHECK_FALSE(result.request.is_plain);
+        CHECK(result.request.session.lesson == "05-row-table");
+        CHECK(result.request.session.step == 3);
+    }
+}
+
 TEST_CASE("render writes the picture in the requested size") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("x.png");
