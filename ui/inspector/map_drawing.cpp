@@ -128,7 +128,9 @@ bool draw_place(const Ui& ui, const MapReading& reading, const MapArea& area, bo
                     v = in_texture(read_at(TextureDirection::v, base.height), wrap);
     const glm::vec2 place{u.coordinate, v.coordinate}, half{0.5f * u.sign, 0.5f * v.sign * v_sign};
     const ImVec2 centre = area.at(place);
-    if (!is_number(centre)) return false;
+    // A NaN may have been clamped to a border.
+    const glm::vec2 texcoord = reading.place.texcoord;
+    if (!is_number({texcoord.x, texcoord.y}) || !is_number(centre)) return false;
     const float thickness = 2.0f * ui.options.text_scale;
     const ImU32 mark = packed(palette(ui.options.theme).changed);
     ImDrawList* const list = ImGui::GetWindowDrawList();
