@@ -143,7 +143,8 @@ void RandomActions::come_to_rest() {
     open_file(ui_, lessons_folder() + "/scenes/lab-room.toml");
     ui_.session.a.settings = default_settings(*ui_.session.scene);
     driver_.hand.leave();
-    driver_.hand.frames(20, 0.1f);
+    // Longer than what is not shown keeps its memory.
+    driver_.hand.frames(20, 2.0f);
 }
 
 void RandomActions::frame(float seconds) {

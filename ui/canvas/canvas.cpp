@@ -259,7 +259,11 @@ void draw_canvas(Ui& ui, const Area& area) {
     ui.canvas.hovered_pixel = std::nullopt;
     ui.canvas.hovered_row = std::nullopt;
     if (shows != CanvasShows::outside) draw_picture(ui, halves.picture);
-    if (shows != CanvasShows::picture) draw_outside(ui, halves.outside);
+    if (shows != CanvasShows::picture) {
+        draw_outside(ui, halves.outside);
+    } else {
+        leave_outside(ui);
+    }
     ImGui::End();
     ImGui::PopStyleVar();
 }

@@ -57,7 +57,8 @@ struct CanvasState {
     PicturePlace place;     ///< of the picture in this frame
     DrawnPart drawn;        ///< looked for again when the frame changes
     PictureTexture outside; ///< shows the drawing of the scene from outside
-    std::shared_ptr<OutsideDrawing> outside_drawing; ///< none before it was shown first
+    std::shared_ptr<OutsideDrawing> outside_drawing; ///< none while it has not been shown for long
+    double outside_shown = 0.0;                      ///< when it was shown last, ImGui's time
     bool shows_legend = true; ///< of the overlays; if not, only their swatches
     float depth_grip = 0.0f;  ///< from the held handle of the depth view to the pointer
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer

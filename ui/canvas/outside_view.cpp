@@ -205,8 +205,17 @@ void draw_coming(const Ui& ui, ImDrawList* list, const Pane& pane, const std::st
 
 } // namespace
 
+void leave_outside(Ui& ui) {
+    constexpr double half_a_minute = 30.0;
+    if (!ui.canvas.outside_drawing || ImGui::GetTime() - ui.canvas.outside_shown < half_a_minute)
+        return;
+    ui.canvas.outside_drawing.reset();
+    ui.canvas.outside.number = 0; // that of no drawing, so that the next one is shown
+}
+
 void draw_outside(Ui& ui, const Pane& pane) {
     if (!ui.canvas.outside_drawing) ui.canvas.outside_drawing = std::make_shared<OutsideDrawing>();
+    ui.canvas.outside_shown = ImGui::GetTime();
     OutsideDrawing& drawing = *ui.canvas.outside_drawing;
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);

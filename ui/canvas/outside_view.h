@@ -15,6 +15,10 @@ struct Ui;
 /// wheel; a click picks a triangle of the scene, or a pixel of the picture on its pane.
 void draw_outside(Ui& ui, const Pane& pane);
 
+/// Gives back the memory of the view from outside if it has not been shown for half a minute: in a
+/// large window that is more than 100 MB.
+void leave_outside(Ui& ui);
+
 /// Is any of the view from outside still to be drawn?
 bool is_outside_working(const Ui& ui);
 

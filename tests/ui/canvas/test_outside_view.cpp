@@ -305,6 +305,26 @@ TEST_CASE("At rest the view from outside is neither drawn nor uploaded again") {
     CHECK_FALSE(is_animating(driver.ui));
 }
 
+TEST_CASE("The view from outside gives back its memory while it is not shown for long") {
+    Driver driver;
+    driver.hand.click("canvas.shows.both");
+    driver.hand.leave();
+    driver.hand.click("canvas.shows.picture");
+    driver.hand.leave();
+    driver.hand.frames(5, 1.0f);
+    CHECK(driver.ui.canvas.outside_drawing != nullptr);
+    driver.hand.frames(5, 10.0f);
+    CHECK(driver.ui.canvas.outside_drawing == nullptr);
+    // Shown again, it is drawn and uploaded again.
+    const int uploads = driver.textures.uploads;
+    driver.hand.click("canvas.shows.both");
+    driver.hand.leave();
+    driver.hand.rest();
+    REQUIRE(driver.ui.canvas.outside_drawing != nullptr);
+    CHECK(driver.ui.canvas.outside_drawing->number() == driver.ui.canvas.outside.number);
+    CHECK(driver.textures.uploads > uploads);
+}
+
 TEST_CASE("A large scene is drawn from outside over several frames, and then rests") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_scene(session, test::made_scene(60'000));
